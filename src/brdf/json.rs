@@ -1,0 +1,154 @@
+//! A BRDF as a JSON object: `{"model": …, "fresnel": …, "rho_d": [r,g,b], …}`.
+//!
+//! The keys are those of the rows. A parameter that the model does not have may be null or absent; `fresnel` is
+//! `none` where absent. Other keys are left alone, so that richer files (a fit with its error, say) open too.
+
+use super::{Brdf, Fresnel, MODELS, Model, Params, fresnel::FRESNELS};
+use serde_json::{Map, Value, json};
+
+/// Why a JSON value is no BRDF: one clear sentence.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct BrdfJsonError(String);
+
+/// Reads one object.
+///
+/// # Errors
+/// Says which key is missing, of the wrong kind or out of range, and what was expected.
+pub fn from_value(value: &Value) -> Result<Brdf, BrdfJsonError> {
+    let fail = |text: String| Err(BrdfJsonError(text));
+    let Some(object) = value.as_object() else {
+        return fail(format!(
+            "expected a JSON object with a model, found {}",
+            kind(value)
+        ));
+    };
+    let model_key = match object.get("model") {
+        Some(Value::String(key)) => key,
+        Some(other) => return fail(format!("\"model\" must be a text, found {}", kind(other))),
+        None => {
+            return fail(format!(
+                "\"model\" is missing; expected one of {}",
+                keys(MODELS.iter().map(|m| m.key))
+            ));
+        }
+    };
+    let Some(model) = Model::by_key(model_key) else {
+        return fail(format!(
+            "unknown model \"{model_key}\"; expected one of {}",
+            keys(MODELS.iter().map(|m| m.key))
+        ));
+    };
+    let fresnel = match object.get("fresnel") {
+        None | Some(Value::Null) => Fresnel::None,
+        Some(value) => match value.as_str().and_then(Fresnel::by_key) {
+            Some(fresnel) => fresnel,
+            None => {
+                return fail(format!(
+                    "unknown \"fresnel\" {value}; expected one of {}",
+                    keys(FRESNELS.iter().map(|f| f.key()))
+                ));
+            }
+        },
+    };
+    let mut brdf = Brdf {
+        model,
+        fresnel,
+        params: Params::default(),
+    };
+    for row in model.params {
+        if !brdf.uses(row.id) {
+            continue;
+        }
+        let values = brdf.params.get_mut(row.id);
+        let expected = if row.id.is_color() {
+            "an array of three numbers"
+        } else {
+            "a number"
+        };
+        let found = match object.get(row.key) {
+            None | Some(Value::Null) => {
+                return fail(format!(
+                    "\"{}\" ({}) is missing; expected {expected}",
+                    row.key, row.name
+                ));
+            }
+            Some(found) => found,
+        };
+        let numbers = match found {
+            Value::Array(items) if row.id.is_color() => items.iter().map(Value::as_f64).collect(),
+            Value::Number(_) if !row.id.is_color() => {
+                Some(vec![found.as_f64().unwrap_or(f64::NAN)])
+            }
+            _ => None,
+        };
+        let Some(numbers) = numbers.filter(|numbers| numbers.len() == values.len()) else {
+            return fail(format!("\"{}\" must be {expected}, found {found}", row.key));
+        };
+        for (to, from) in values.iter_mut().zip(numbers) {
+            if !row.accepts(from) {
+                let (low, high) = row.domain;
+                return fail(format!(
+                    "\"{}\" = {from} is out of range; expected {low} to {high}",
+                    row.key
+                ));
+            }
+            *to = from;
+        }
+    }
+    Ok(brdf)
+}
+
+/// Writes one object; parameters that do not count are null.
+pub fn to_value(brdf: &Brdf) -> Value {
+    let mut object = Map::new();
+    object.insert("model".into(), json!(brdf.model.key));
+    object.insert("fresnel".into(), json!(brdf.fresnel.key()));
+    for row in &super::params::ALL {
+        let value = match brdf.params.get(row.id) {
+            _ if !brdf.uses(row.id) => Value::Null,
+            [one] => json!(one),
+            many => json!(many),
+        };
+        object.insert(row.key.into(), value);
+    }
+    Value::Object(object)
+}
+
+/// Takes one BRDF out of a text that holds an object or an array of objects.
+///
+/// # Errors
+/// Says where the text is no JSON, that the index is past the end, or what is wrong with the object.
+pub fn from_text(text: &str, index: usize) -> Result<Brdf, BrdfJsonError> {
+    let value: Value = serde_json::from_str(text)
+        .map_err(|error| BrdfJsonError(format!("not valid JSON: {error}")))?;
+    match &value {
+        Value::Array(items) => match items.get(index) {
+            Some(item) => from_value(item),
+            None if items.is_empty() => Err(BrdfJsonError("the array of models is empty".into())),
+            None => Err(BrdfJsonError(format!(
+                "there is no entry {index}; the array has {}, counted from 0",
+                items.len()
+            ))),
+        },
+        _ if index > 0 => Err(BrdfJsonError(format!(
+            "there is no entry {index}; the file holds a single model, entry 0"
+        ))),
+        _ => from_value(&value),
+    }
+}
+
+fn keys<'a>(keys: impl Iterator<Item = &'a str>) -> String {
+    keys.collect::<Vec<_>>().join(", ")
+}
+
+fn kind(value: &Value) -> &'static str {
+    match value {
+        Value::Null => "null",
+        Value::Bool(_) => "a truth value",
+        Value::Number(_) => "a number",
+        Value::String(_) => "a text",
+        Value::Array(_) => "an array",
+        Value::Object(_) => "an object",
+    }
+}

@@ -1,0 +1,202 @@
+use super::*;
+use crate::geom::direction;
+use glam::DVec3;
+use proptest::prelude::*;
+
+fn brdf(key: &str, fresnel: Fresnel, s: f64, alpha: f64) -> Brdf {
+    Brdf {
+        model: Model::by_key(key).expect("a model"),
+        fresnel,
+        params: Params {
+            rho_d: [0.1, 0.2, 0.3],
+            k_s: [1.0, 2.0, 0.5],
+            s,
+            alpha,
+            eta: 1.5,
+        },
+    }
+}
+
+/// The definitions of the models, written out with vectors and nothing of this crate.
+fn closed_form(key: &str, wi: DVec3, wo: DVec3, p: &Params) -> f64 {
+    let n = DVec3::Z;
+    let wr = 2.0 * wi.dot(n) * n - wi;
+    let wh = (wi + wo).normalize();
+    let (r, h) = (wr.dot(wo).max(0.0), wh.dot(n).max(0.0));
+    match key {
+        "phong" => r.powf(p.s),
+        "blinn-phong" => h.powf(p.s),
+        _ => ((1.0 - p.alpha) * r + p.alpha * h.powi(4)).powf(p.s),
+    }
+}
+
+/// Largest relative distance between the models and the closed forms at 20 angles, with an error put in.
+fn worst_distance_at_20_angles(planted: f64) -> f64 {
+    let mut worst: f64 = 0.0;
+    for k in 0..20 {
+        let t = f64::from(k) / 20.0;
+        let (wi, wo) = (
+            direction(1.5 * t, 0.3),
+            direction(1.5 * (1.0 - t), 0.3 + 6.0 * t),
+        );
+        for model in MODELS {
+            let b = brdf(model.key, Fresnel::None, 7.0, 0.3);
+            let expected = closed_form(
+                model.key,
+                wi,
+                wo,
+                &Params {
+                    s: 7.0 + planted,
+                    ..b.params
+                },
+            );
+            for (channel, value) in b
+                .eval(&Cosines::from_directions(wi, wo))
+                .into_iter()
+                .enumerate()
+            {
+                let wanted = b.params.rho_d[channel] / PI + b.params.k_s[channel] * expected;
+                worst = worst.max((value - wanted).abs() / wanted);
+            }
+        }
+    }
+    worst
+}
+
+#[test]
+fn models_have_their_closed_form_values_at_20_angles() {
+    assert!(worst_distance_at_20_angles(0.0) < 1e-13);
+}
+
+#[test]
+fn a_wrong_exponent_is_caught() {
+    assert!(worst_distance_at_20_angles(1e-9) > 1e-12);
+}
+
+#[test]
+fn fresnel_has_its_textbook_values() {
+    // η = 1.5 at normal incidence reflects 4 %; everything is reflected at the horizon.
+    for fresnel in [Fresnel::Exact, Fresnel::Schlick] {
+        assert!((fresnel.reflectance(1.0, 1.5) - 0.04).abs() < 1e-15);
+        assert!((fresnel.reflectance(0.0, 1.5) - 1.0).abs() < 1e-15);
+        assert!(fresnel.reflectance(1.0, 1.0).abs() < 1e-15);
+        assert_eq!(fresnel.reflectance(0.0, 1.0), 1.0);
+    }
+    // Brewster's angle: p-polarised light vanishes, and half of the s-polarised share ((η²−1)/(η²+1))² is left.
+    let eta: f64 = 1.5;
+    let brewster = Fresnel::Exact.reflectance(eta.atan().cos(), eta);
+    let expected = 0.5 * ((eta * eta - 1.0) / (eta * eta + 1.0)).powi(2);
+    assert!((brewster - expected).abs() < 1e-15);
+    // Snell and the two polarisations, the long way.
+    for deg in [10.0, 45.0, 60.0, 75.0, 85.0, 89.9_f64] {
+        let (theta_i, c) = (deg.to_radians(), deg.to_radians().cos());
+        let ct = (theta_i.sin() / eta).asin().cos();
+        let s = ((c - eta * ct) / (c + eta * ct)).powi(2);
+        let p = ((eta * c - ct) / (eta * c + ct)).powi(2);
+        assert!((Fresnel::Exact.reflectance(c, eta) - 0.5 * (s + p)).abs() < 1e-14);
+    }
+    assert_eq!(Fresnel::None.reflectance(0.3, 1.5), 1.0);
+}
+
+#[test]
+fn schlick_is_the_polynomial() {
+    let r = Fresnel::Schlick.reflectance(0.5, 2.0);
+    let r0 = 1.0 / 9.0;
+    assert!((r - (r0 + (1.0 - r0) / 32.0)).abs() < 1e-15);
+}
+
+proptest! {
+    #[test]
+    fn combined_contains_both_others(
+        theta_i in 0.0..1.57, theta_o in 0.0..1.57, phi in 0.0..6.3, log_s in -1.0..4.0,
+        fresnel in prop::sample::select(fresnel::FRESNELS.to_vec()),
+    ) {
+        let c = Cosines::from_directions(direction(theta_i, 0.0), direction(theta_o, phi));
+        let s = 10f64.powf(log_s);
+        for (key, ratio, alpha) in [("phong", 1.0, 0.0), ("blinn-phong", 4.0, 1.0)] {
+            let one = brdf(key, fresnel, s * ratio, 0.7).eval(&c);
+            let combined = brdf("combined", fresnel, s, alpha).eval(&c);
+            for k in 0..3 {
+                // The logarithms of both differ by rounding, which the exponent multiplies.
+                let tolerance = 1e-14 * (100.0 + s);
+                prop_assert!((one[k] - combined[k]).abs() <= tolerance, "{key} {:?} {:?}", one, combined);
+            }
+        }
+    }
+
+    #[test]
+    fn models_are_reciprocal(
+        theta_i in 0.0..1.57, theta_o in 0.0..1.57, phi in 0.0..6.3, alpha in 0.0..1.0,
+    ) {
+        let (wi, wo) = (direction(theta_i, 0.0), direction(theta_o, phi));
+        for model in MODELS {
+            let b = brdf(model.key, Fresnel::Exact, 20.0, alpha);
+            let (there, back) = (
+                b.eval(&Cosines::from_directions(wi, wo)),
+                b.eval(&Cosines::from_directions(wo, wi)),
+            );
+            prop_assert!((there[0] - back[0]).abs() <= 1e-12 * there[0]);
+        }
+    }
+}
+
+#[test]
+fn switching_models_keeps_the_look_where_one_contains_the_other() {
+    let c = Cosines::from_directions(direction(1.2, 0.0), direction(1.0, 2.8));
+    let combined = Model::by_key("combined").expect("a model");
+    for key in ["phong", "blinn-phong"] {
+        let before = brdf(key, Fresnel::Exact, 40.0, 0.3);
+        let after = before.with_model(combined);
+        assert!((before.eval(&c)[1] / after.eval(&c)[1] - 1.0).abs() < 1e-12);
+        assert_eq!(after.with_model(before.model).params.s, before.params.s);
+    }
+    // Phong against Blinn-Phong: the same highlight seen from above, up to the next order of the angle.
+    let phong = brdf("phong", Fresnel::None, 2000.0, 0.0);
+    let blinn = phong.with_model(Model::by_key("blinn-phong").expect("a model"));
+    let near = Cosines::from_directions(DVec3::Z, direction(0.03, 0.0));
+    assert!((phong.eval(&near)[0] / blinn.eval(&near)[0] - 1.0).abs() < 1e-3);
+}
+
+#[test]
+fn amplitude_and_normalised_reflectance_agree() {
+    let phong = brdf("phong", Fresnel::None, 10.0, 0.0);
+    let rho_s = phong.rho_s().expect("normalised");
+    assert!((rho_s[0] * 12.0 / (2.0 * PI) - 1.0).abs() < 1e-15);
+    let blinn = brdf("blinn-phong", Fresnel::None, 10.0, 0.0);
+    assert!((blinn.rho_s().expect("normalised")[1] * 18.0 / (8.0 * PI) - 2.0).abs() < 1e-15);
+    assert_eq!(brdf("combined", Fresnel::None, 10.0, 0.5).rho_s(), None);
+    assert!((brdf("phong", Fresnel::Exact, 1.0, 0.0).specular_at_normal()[0] - 0.04).abs() < 1e-15);
+}
+
+#[test]
+fn json_round_trips_and_says_what_is_wrong() {
+    for model in MODELS {
+        for fresnel in fresnel::FRESNELS {
+            let b = brdf(model.key, fresnel, 12.5, 0.25);
+            let back = json::from_text(&json::to_value(&b).to_string(), 0).expect("reads back");
+            for row in model.params.iter().filter(|row| b.uses(row.id)) {
+                assert_eq!(back.params.get(row.id), b.params.get(row.id));
+            }
+            assert_eq!((back.model, back.fresnel), (b.model, b.fresnel));
+        }
+    }
+    let said = |text: &str, index| {
+        json::from_text(text, index)
+            .expect_err("is wrong")
+            .to_string()
+    };
+    assert!(said("{", 0).starts_with("not valid JSON"));
+    assert!(said("[]", 0).contains("empty"));
+    assert!(said("[{},{}]", 2).contains("there is no entry 2; the array has 2"));
+    assert!(said("3", 0).contains("found a number"));
+    assert!(said("{}", 0).contains("phong, blinn-phong, combined"));
+    assert!(said(r#"{"model":"ward"}"#, 0).contains("unknown model \"ward\""));
+    let phong = |rest: &str| said(&format!(r#"{{"model":"phong",{rest}}}"#), 0);
+    assert!(phong(r#""fresnel":"cook""#).contains("none, exact, schlick"));
+    assert!(phong(r#""rho_d":[0.1,0.2]"#).contains("three numbers"));
+    assert!(phong(r#""rho_d":[0,0,0],"k_s":[0,0,-1],"s":1"#).contains("out of range"));
+    assert!(phong(r#""rho_d":[0,0,0],"k_s":[0,0,1],"s":0"#).contains("\"s\" = 0"));
+    assert!(
+        phong(r#""rho_d":[0,0,0],"k_s":[0,0,1]"#).contains("\"s\" (specular exponent) is missing")
+    );
+}

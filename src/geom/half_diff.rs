@@ -1,0 +1,183 @@
+//! Half and difference angles [Rusinkiewicz98], the coordinates of isotropic measurements.
+
+use super::cosines::Cosines;
+use super::directions::{NORMAL, theta, wrap};
+use glam::DVec3;
+use std::f64::consts::{PI, TAU};
+
+/// Half and difference angles of a pair of directions, in radians.
+///
+/// For directions above the horizon `theta_h` and `theta_d` are in [0, π/2]. `phi_d` is in [0, 2π);
+/// [`HalfDiff::folded`] brings it into [0, π), where the pairs (wi, wo) and (wo, wi) meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HalfDiff {
+    /// Angle between the normal and the half vector wh.
+    pub theta_h: f64,
+    /// Angle between wh and wi (and between wh and wo).
+    pub theta_d: f64,
+    /// Azimuth of wi around wh, from the plane that holds n and wh. 0 where wh = n or wi = wh leaves it undefined
+    /// (with wh = n it is the azimuth of wi itself).
+    pub phi_d: f64,
+}
+
+impl HalfDiff {
+    /// The angles of (wi, wo). `None` where wi = −wo, which have no half vector.
+    pub fn from_directions(wi: DVec3, wo: DVec3) -> Option<Self> {
+        let wh = (wi + wo).try_normalize()?;
+        let theta_h = theta(wh);
+        // atan2 of chords instead of acos: exact at both ends.
+        let theta_d = (wi - wo).length().atan2((wi + wo).length());
+        let horizontal = wh.x.hypot(wh.y);
+        let (sin_phi_h, cos_phi_h) = if horizontal > 0.0 {
+            (wh.y / horizontal, wh.x / horizontal)
+        } else {
+            (0.0, 1.0)
+        };
+        let tangent = DVec3::new(wh.z * cos_phi_h, wh.z * sin_phi_h, -horizontal);
+        let bitangent = DVec3::new(-sin_phi_h, cos_phi_h, 0.0);
+        // wi − wo has no component along wh, so it leaves nothing to cancel.
+        let across = wi - wo;
+        let phi_d = wrap(across.dot(bitangent).atan2(across.dot(tangent)), TAU);
+        Some(Self {
+            theta_h,
+            theta_d,
+            phi_d,
+        })
+    }
+
+    /// One pair (wi, wo) with these angles: the one whose half vector is in the plane y = 0, x ≥ 0.
+    pub fn to_directions(self) -> (DVec3, DVec3) {
+        let (sin_h, cos_h) = self.theta_h.sin_cos();
+        let (sin_d, cos_d) = self.theta_d.sin_cos();
+        let (sin_phi, cos_phi) = self.phi_d.sin_cos();
+        let wh = DVec3::new(sin_h, 0.0, cos_h);
+        let tangent = DVec3::new(cos_h, 0.0, -sin_h);
+        let across = sin_d * (cos_phi * tangent + sin_phi * DVec3::Y);
+        (cos_d * wh + across, cos_d * wh - across)
+    }
+
+    /// The same with `phi_d` folded by +π into [0, π): reciprocity says f(wi, wo) = f(wo, wi).
+    pub fn folded(self) -> Self {
+        Self {
+            phi_d: wrap(self.phi_d, PI),
+            ..self
+        }
+    }
+
+    /// The cosines that the models are made of, straight from the angles:
+    /// `cos θi, cos θo = cos θh cos θd ∓ sin θh sin θd cos φd` and `wr·wo = 2 cos θi cos θo − cos 2θd`.
+    pub fn cosines(self) -> Cosines {
+        let (sin_h, cos_h) = self.theta_h.sin_cos();
+        let (sin_d, cos_d) = self.theta_d.sin_cos();
+        let (along, across) = (cos_h * cos_d, sin_h * sin_d * self.phi_d.cos());
+        let (cos_theta_i, cos_theta_o) = (along - across, along + across);
+        let wr_dot_wo = 2.0 * cos_theta_i * cos_theta_o - (2.0 * self.theta_d).cos();
+        Cosines {
+            cos_theta_i,
+            cos_theta_o,
+            versine_r: (1.0 - wr_dot_wo).clamp(0.0, 1.0),
+            versine_h: (2.0 * (0.5 * self.theta_h).sin().powi(2)).min(1.0),
+            wi_dot_wh: cos_d.max(0.0),
+        }
+    }
+}
+
+/// The half vector of (wi, wo); the normal where wi = −wo, the limit of pairs that graze from opposite sides.
+pub fn half_vector(wi: DVec3, wo: DVec3) -> DVec3 {
+    (wi + wo).try_normalize().unwrap_or(NORMAL)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geom::direction;
+    use proptest::prelude::*;
+    use std::f64::consts::FRAC_PI_2;
+
+    /// Distance of two azimuths on a circle of the given period.
+    fn azimuth_distance(a: f64, b: f64, period: f64) -> f64 {
+        let d = wrap(a - b, period);
+        d.min(period - d)
+    }
+
+    fn hemisphere() -> impl Strategy<Value = DVec3> {
+        (0.0..FRAC_PI_2, 0.0..TAU).prop_map(|(theta, phi)| direction(theta, phi))
+    }
+
+    proptest! {
+        #[test]
+        fn angles_survive_the_way_through_directions(
+            theta_h in 1e-4..FRAC_PI_2, theta_d in 1e-4..FRAC_PI_2 - 1e-4, phi_d in 0.0..TAU,
+        ) {
+            let (wi, wo) = HalfDiff { theta_h, theta_d, phi_d }.to_directions();
+            let back = HalfDiff::from_directions(wi, wo).expect("has a half vector");
+            prop_assert!((back.theta_h - theta_h).abs() < 1e-12);
+            prop_assert!((back.theta_d - theta_d).abs() < 1e-12);
+            prop_assert!(azimuth_distance(back.phi_d, phi_d, TAU) < 1e-10);
+        }
+
+        #[test]
+        fn directions_survive_up_to_a_turn_around_the_normal(wi in hemisphere(), wo in hemisphere()) {
+            let Some(angles) = HalfDiff::from_directions(wi, wo) else { return Ok(()) };
+            let (wi2, wo2) = angles.to_directions();
+            prop_assert!((wi2.z - wi.z).abs() < 1e-12 && (wo2.z - wo.z).abs() < 1e-12);
+            prop_assert!((wi2.dot(wo2) - wi.dot(wo)).abs() < 1e-12);
+            // A turn is not a reflection: the handedness stays.
+            prop_assert!((wi2.cross(wo2).z - wi.cross(wo).z).abs() < 1e-12);
+        }
+
+        #[test]
+        fn swapping_the_directions_turns_phi_d_by_pi(wi in hemisphere(), wo in hemisphere()) {
+            let (Some(a), Some(b)) = (HalfDiff::from_directions(wi, wo), HalfDiff::from_directions(wo, wi))
+                else { return Ok(()) };
+            prop_assert_eq!(a.theta_h, b.theta_h);
+            prop_assert_eq!(a.theta_d, b.theta_d);
+            prop_assert!(azimuth_distance(a.phi_d, b.phi_d + PI, TAU) < 1e-9);
+            prop_assert!(azimuth_distance(a.folded().phi_d, b.folded().phi_d, PI) < 1e-9);
+            prop_assert!((0.0..PI).contains(&a.folded().phi_d));
+        }
+
+        #[test]
+        fn the_closed_forms_of_the_cosines_agree_with_the_vectors(wi in hemisphere(), wo in hemisphere()) {
+            let Some(angles) = HalfDiff::from_directions(wi, wo) else { return Ok(()) };
+            let (a, b) = (angles.cosines(), Cosines::from_directions(wi, wo));
+            prop_assert!((a.cos_theta_i - b.cos_theta_i).abs() < 1e-12);
+            prop_assert!((a.cos_theta_o - b.cos_theta_o).abs() < 1e-12);
+            prop_assert!((a.versine_r - b.versine_r).abs() < 1e-12);
+            prop_assert!((a.versine_h - b.versine_h).abs() < 1e-12);
+            prop_assert!((a.wi_dot_wh - b.wi_dot_wh).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn opposite_directions_have_no_half_vector() {
+        assert_eq!(HalfDiff::from_directions(DVec3::X, -DVec3::X), None);
+        assert_eq!(half_vector(DVec3::X, -DVec3::X), NORMAL);
+    }
+
+    #[test]
+    fn degenerate_pairs_have_finite_angles() {
+        let w = direction(0.7, 1.1);
+        let same = HalfDiff::from_directions(w, w).expect("has a half vector");
+        assert_eq!(same.theta_d, 0.0);
+        assert!((same.theta_h - 0.7).abs() < 1e-15 && same.phi_d == 0.0);
+
+        let mirrored = HalfDiff::from_directions(w, crate::geom::mirror(w)).expect("has one");
+        assert_eq!(mirrored.theta_h, 0.0);
+        assert!((mirrored.theta_d - 0.7).abs() < 1e-15);
+
+        let top = HalfDiff::from_directions(DVec3::Z, DVec3::Z).expect("has one");
+        assert_eq!((top.theta_h, top.theta_d, top.phi_d), (0.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn the_fold_is_a_turn_not_a_mirror() {
+        let angles = |deg: f64| HalfDiff {
+            theta_h: 0.3,
+            theta_d: 0.4,
+            phi_d: deg.to_radians(),
+        };
+        assert!((angles(350.0).folded().phi_d.to_degrees() - 170.0).abs() < 1e-12);
+        assert!((angles(10.0).folded().phi_d.to_degrees() - 10.0).abs() < 1e-12);
+    }
+}

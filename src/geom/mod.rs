@@ -1,0 +1,16 @@
+//! Directions, half/difference angles and colour. Pure: no egui, wgpu, files, threads or clock.
+//!
+//! Directions live in the local frame of the surface, z = n, and are unit vectors. Angles are radians.
+//! `x.wgsl` beside `x.rs` is its twin on the GPU: the same functions under the same names.
+
+pub mod color;
+pub mod cosines;
+pub mod directions;
+pub mod half_diff;
+
+pub use cosines::Cosines;
+pub use directions::{direction, mirror};
+pub use half_diff::HalfDiff;
+
+/// Red, green, blue; linear unless a name says otherwise.
+pub type Rgb = [f64; 3];

@@ -1,0 +1,9 @@
+//! Measured BRDFs on the half/difference grid: the table, its lookup, the MERL layout, synthetic samples. Pure.
+//!
+//! A cell is *invalid* if any channel is negative or not finite. An invalid cell has no value; it is never shown as 0.
+
+pub mod grid;
+pub mod table;
+
+pub use grid::Grid;
+pub use table::Table;

@@ -1,0 +1,53 @@
+//! A measured BRDF in memory.
+
+use super::grid::Grid;
+use crate::geom::Rgb;
+
+/// f_r of every cell of a [`Grid`], with its validity. Immutable; share it by `Arc`.
+#[derive(Clone, Debug)]
+pub struct Table {
+    grid: Grid,
+    /// f_r in 1/sr per cell, in the grid's order; NaN in all channels where invalid, so that nothing can take it for 0.
+    cells: Vec<[f32; 3]>,
+    valid: usize,
+}
+
+impl Table {
+    /// A table from f_r per cell in the grid's order. A cell with a negative or non-finite channel becomes invalid.
+    ///
+    /// # Panics
+    /// If the number of cells is not the grid's.
+    pub fn new(grid: Grid, mut cells: Vec<[f32; 3]>) -> Self {
+        assert_eq!(cells.len(), grid.len());
+        let mut valid = 0;
+        for cell in &mut cells {
+            if cell.iter().all(|x| *x >= 0.0 && x.is_finite()) {
+                valid += 1;
+            } else {
+                *cell = [f32::NAN; 3];
+            }
+        }
+        Self { grid, cells, valid }
+    }
+
+    /// Its shape.
+    pub fn grid(&self) -> Grid {
+        self.grid
+    }
+
+    /// Number of valid cells.
+    pub fn valid_count(&self) -> usize {
+        self.valid
+    }
+
+    /// f_r of a cell in 1/sr; `None` where it is invalid.
+    pub fn cell(&self, index: usize) -> Option<Rgb> {
+        let cell = self.cells[index];
+        (!cell[0].is_nan()).then(|| cell.map(f64::from))
+    }
+
+    /// All cells in the grid's order; NaN where invalid.
+    pub fn cells(&self) -> &[[f32; 3]] {
+        &self.cells
+    }
+}
