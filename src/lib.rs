@@ -12,5 +12,6 @@
 //! f_r in 1/sr without the cosine; RGB linear; an invalid cell has no value and is never 0.
 
 pub mod brdf;
+pub mod fit;
 pub mod geom;
 pub mod measured;

@@ -1,0 +1,3 @@
+//! Fitting the models to a table. Pure.
+
+pub mod start;
