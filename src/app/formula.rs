@@ -1,0 +1,79 @@
+//! The formula of a BRDF in the markup of [`crate::figure::text`]: with symbols, and with its numbers.
+
+use crate::brdf::{Brdf, Fresnel, ParamId};
+
+/// `f_r = …` with symbols.
+pub fn symbolic(brdf: &Brdf) -> String {
+    let factor = match brdf.fresnel {
+        Fresnel::None => "",
+        Fresnel::Exact | Fresnel::Schlick => " R_{F}(ω_{i}·ω_{h}, η)",
+    };
+    format!("f_{{r}} = ρ_{{d}}/π + k_{{s}}{factor} {}", brdf.model.formula)
+}
+
+/// The same with the numbers in; colours as (R, G, B), or one number where they are grey.
+pub fn numeric(brdf: &Brdf) -> String {
+    let mut lobe = brdf.model.formula.to_string();
+    for row in brdf.model.params.iter().filter(|row| !row.id.is_color()) {
+        lobe = lobe.replace(row.symbol, &number(brdf.params.get(row.id)[0]));
+    }
+    let factor = match brdf.fresnel {
+        Fresnel::None => String::new(),
+        Fresnel::Exact | Fresnel::Schlick => format!(" R_{{F}}(ω_{{i}}·ω_{{h}}, {})", number(brdf.params.eta)),
+    };
+    format!(
+        "f_{{r}} = {}/π + {}{factor} {lobe}",
+        color(brdf.params.get(ParamId::RhoD)),
+        color(brdf.params.get(ParamId::KS)),
+    )
+}
+
+fn color(values: &[f64]) -> String {
+    if values.iter().all(|value| *value == values[0]) {
+        return number(values[0]);
+    }
+    let parts: Vec<String> = values.iter().map(|value| number(*value)).collect();
+    format!("({})", parts.join(", "))
+}
+
+/// Three significant digits, without an exponent where it reads well.
+pub fn number(value: f64) -> String {
+    let magnitude = value.abs();
+    if value == 0.0 {
+        return "0".into();
+    }
+    if !(1e-3..1e6).contains(&magnitude) {
+        let text = format!("{value:.2e}");
+        return text.replace('e', "·10^{") + "}";
+    }
+    let digits_before = magnitude.log10().floor() as i32 + 1;
+    let decimals = (3 - digits_before).clamp(0, 5) as usize;
+    format!("{value:.decimals$}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::brdf::{Model, Params};
+
+    #[test]
+    fn formulas_show_the_live_numbers() {
+        let params = Params { rho_d: [0.25; 3], k_s: [1.0, 2.0, 30.0], s: 1234.0, alpha: 0.3, eta: 1.5 };
+        let model = Model::by_key("combined").expect("a model");
+        let brdf = Brdf { model, fresnel: Fresnel::Exact, params };
+        assert_eq!(
+            numeric(&brdf),
+            "f_{r} = 0.250/π + (1.00, 2.00, 30.0) R_{F}(ω_{i}·ω_{h}, 1.50) \
+             ((1 − 0.300)(ω_{r}·ω_{o}) + 0.300(ω_{h}·n)^{4})^{1234}"
+        );
+        let plain = Brdf { fresnel: Fresnel::None, model: Model::by_key("phong").expect("a model"), ..brdf };
+        assert_eq!(symbolic(&plain), "f_{r} = ρ_{d}/π + k_{s} (ω_{r}·ω_{o})^{s}");
+    }
+
+    #[test]
+    fn numbers_have_three_digits() {
+        for (value, text) in [(0.0, "0"), (0.01234, "0.0123"), (9.876, "9.88"), (54321.0, "54321"), (2.5e7, "2.50·10^{7}")] {
+            assert_eq!(number(value), text);
+        }
+    }
+}

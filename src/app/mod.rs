@@ -1,0 +1,200 @@
+//! The window: egui over the state. Panels read the state and push messages; [`update::apply`] changes it.
+
+pub mod command;
+mod formula;
+mod history;
+mod jobs;
+pub mod paint;
+mod panels;
+pub mod startup;
+pub mod state;
+mod tasks;
+mod tiles;
+pub mod update;
+
+pub use startup::run;
+pub use tasks::Picker;
+
+use command::ENTRIES;
+use jobs::{Outbox, Queue};
+use panels::{dialogs, library, menu, model, notices, status};
+use state::{Prefs, State, Theme};
+use std::path::PathBuf;
+use std::sync::mpsc::Receiver;
+use tiles::Tiles;
+use update::{Msg, Task, apply};
+
+/// Where the preferences are kept in the storage.
+const PREFS_KEY: &str = "grazing.prefs";
+
+/// How the window starts.
+pub struct Options {
+    /// Files to open.
+    pub files: Vec<PathBuf>,
+    /// How a person is asked for files.
+    pub picker: Picker,
+}
+
+/// The program in its window.
+pub struct App {
+    state: State,
+    tiles: Tiles,
+    outbox: Outbox,
+    inbox: Receiver<Msg>,
+    queue: Queue,
+    picker: Picker,
+    adapter: String,
+    shown_theme: Option<Theme>,
+}
+
+impl App {
+    /// Sets the window up and starts to load what it begins with: the files, or else the first sample.
+    ///
+    /// # Errors
+    /// If there is no wgpu renderer, or no thread can be started.
+    pub fn new(cc: &eframe::CreationContext<'_>, options: Options) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
+        let render_state = cc.wgpu_render_state.as_ref().ok_or("the window has no wgpu renderer")?;
+        tiles::sphere_callback::install(render_state);
+        set_style(&cc.egui_ctx);
+        let (outbox, inbox) = Outbox::new(cc.egui_ctx.clone());
+        let mut app = Self {
+            state: State::default(),
+            tiles: Tiles::default(),
+            outbox,
+            inbox,
+            queue: Queue::start()?,
+            picker: options.picker,
+            adapter: crate::gpu::adapter::describe(&render_state.adapter.get_info()),
+            shown_theme: None,
+        };
+        if let Some(prefs) = cc.storage.and_then(|storage| eframe::get_value::<Prefs>(storage, PREFS_KEY)) {
+            app.state.prefs = prefs;
+        }
+        let first = match options.files {
+            files if files.is_empty() => Msg::Run(command::Command::OpenSample(0)),
+            files => Msg::OpenFiles(files),
+        };
+        app.handle(&cc.egui_ctx, first);
+        Ok(app)
+    }
+
+    /// What the window shows, for tests.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    fn handle(&mut self, ctx: &egui::Context, msg: Msg) {
+        for task in apply(&mut self.state, msg) {
+            if let Task::ResetLayout = task {
+                self.tiles = Tiles::default();
+            } else {
+                tasks::start(task, ctx, &self.outbox, &self.queue, &self.picker);
+            }
+        }
+    }
+
+    fn panels_ui(&mut self, ui: &mut egui::Ui, out: &mut Vec<Msg>) {
+        let state = &self.state;
+        egui::Panel::top("menu").show(ui, |ui| menu::menu_ui(ui, state, out));
+        egui::Panel::bottom("status").show(ui, |ui| status::status_ui(ui, state, out));
+        egui::Panel::left("library")
+            .default_size(210.0)
+            .size_range(150.0..=420.0)
+            .show(ui, |ui| library::library_ui(ui, state, out));
+        egui::Panel::right("model")
+            .default_size(316.0)
+            .size_range(260.0..=520.0)
+            .show(ui, |ui| model::model_ui(ui, state, out));
+        let tiles = &mut self.tiles;
+        egui::CentralPanel::no_frame().show(ui, |ui| tiles.ui(ui, state, out));
+        notices::notices_ui(ui.ctx(), state, out);
+        dialogs::dialog_ui(ui.ctx(), state, &self.adapter, out);
+    }
+}
+
+impl eframe::App for App {
+    fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
+        let ctx = ui.ctx().clone();
+        if self.shown_theme != Some(self.state.prefs.theme) {
+            self.shown_theme = Some(self.state.prefs.theme);
+            ctx.set_theme(match self.state.prefs.theme {
+                Theme::System => egui::ThemePreference::System,
+                Theme::Light => egui::ThemePreference::Light,
+                Theme::Dark => egui::ThemePreference::Dark,
+            });
+        }
+        let mut out: Vec<Msg> = self.inbox.try_iter().collect();
+        shortcuts(&ctx, &self.state, &mut out);
+        dropped_files(&ctx, &mut out);
+        tasks::receive_picture(&ctx, &self.outbox);
+        self.panels_ui(ui, &mut out);
+        let changed = !out.is_empty();
+        for msg in out {
+            self.handle(&ctx, msg);
+        }
+        if !ctx.input(|input| input.pointer.any_down()) {
+            self.handle(&ctx, Msg::Settle);
+        }
+        if changed {
+            // The panels above were drawn from the state before these messages.
+            ctx.request_repaint();
+        }
+    }
+
+    fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        eframe::set_value(storage, PREFS_KEY, &self.state.prefs);
+    }
+
+    fn on_exit(&mut self) {
+        for job in &self.state.jobs {
+            job.cancel.set();
+        }
+    }
+}
+
+/// Runs the commands whose keys were pressed. A field that is being edited keeps the keys it understands.
+fn shortcuts(ctx: &egui::Context, state: &State, out: &mut Vec<Msg>) {
+    let typing = ctx.egui_wants_keyboard_input();
+    let mut entries: Vec<_> = ENTRIES.iter().filter_map(|entry| Some((entry, entry.keys?))).collect();
+    // Ctrl+Z also matches while Shift is held, so the longer combinations go first.
+    entries.sort_by_key(|(_, keys)| std::cmp::Reverse(usize::from(keys.modifiers.shift)));
+    for (entry, keys) in entries {
+        let kept = typing && (entry.place.menu == "Edit" || keys.modifiers.is_none());
+        if !kept && ctx.input_mut(|input| input.consume_shortcut(&keys)) && entry.command.is_enabled(state) {
+            out.push(Msg::Run(entry.command));
+        }
+    }
+}
+
+fn dropped_files(ctx: &egui::Context, out: &mut Vec<Msg>) {
+    let (paths, hovering) = ctx.input(|input| {
+        let dropped = &input.raw.dropped_files;
+        let paths: Vec<PathBuf> = dropped.iter().filter_map(|file| file.path.clone()).collect();
+        (paths, !input.raw.hovered_files.is_empty())
+    });
+    if !paths.is_empty() {
+        out.push(Msg::OpenFiles(paths));
+    }
+    if hovering {
+        let rect = ctx.content_rect();
+        let painter = ctx.layer_painter(egui::LayerId::new(egui::Order::Foreground, egui::Id::unique("drop")));
+        painter.rect_filled(rect, 0.0, egui::Color32::from_black_alpha(160));
+        painter.text(
+            rect.center(),
+            egui::Align2::CENTER_CENTER,
+            "Drop MERL files to open them",
+            egui::FontId::proportional(24.0),
+            egui::Color32::WHITE,
+        );
+    }
+}
+
+/// Small departures from egui's looks: rounder, calmer, the same in both themes.
+fn set_style(ctx: &egui::Context) {
+    ctx.all_styles_mut(|style| {
+        style.spacing.item_spacing = egui::vec2(8.0, 5.0);
+        style.spacing.button_padding = egui::vec2(8.0, 3.0);
+        style.spacing.menu_margin = egui::Margin::same(6);
+        style.visuals.slider_trailing_fill = true;
+    });
+}

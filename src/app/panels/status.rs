@@ -1,0 +1,76 @@
+//! The line at the bottom: the probe's angles and values, and the jobs under way.
+
+use crate::app::paint::rich_text_job;
+use crate::app::state::{Probe, State};
+use crate::app::update::Msg;
+use crate::figure::text::RichText;
+use crate::geom::{HalfDiff, Rgb, directions};
+
+/// Draws the line.
+pub fn status_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+    ui.horizontal(|ui| {
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            jobs_ui(ui, state, out);
+            ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| match state.probe {
+                Some(probe) => probe_ui(ui, state, probe),
+                None => {
+                    ui.weak("Point at the sphere or at a lobe to read angles and values.");
+                }
+            });
+        });
+    });
+}
+
+fn jobs_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+    let Some(job) = state.jobs.first() else { return };
+    let cancel = ui.small_button("✕").on_hover_text("Stop");
+    cancel.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, "Stop opening"));
+    if cancel.clicked() {
+        out.push(Msg::Cancel(job.id));
+    }
+    ui.add(egui::ProgressBar::new(job.progress).desired_width(90.0));
+    let more = match state.jobs.len() {
+        1 => String::new(),
+        count => format!(" and {} more", count - 1),
+    };
+    ui.add(egui::Label::new(format!("Opening {}{more}", job.label)).truncate());
+}
+
+fn probe_ui(ui: &mut egui::Ui, state: &State, probe: Probe) {
+    ui.spacing_mut().item_spacing.x = 14.0;
+    let color = ui.visuals().text_color();
+    let mut show = |text: &str| ui.label(rich_text_job(&RichText::parse(text), 12.5, color));
+    let degrees = |radians: f64| format!("{:.1}°", radians.to_degrees());
+    show(&format!(
+        "θ_{{i}} {}  φ_{{i}} {}",
+        degrees(directions::theta(probe.wi)),
+        degrees(directions::phi(probe.wi))
+    ));
+    show(&format!(
+        "θ_{{o}} {}  φ_{{o}} {}",
+        degrees(directions::theta(probe.wo)),
+        degrees(directions::phi(probe.wo))
+    ));
+    if let Some(angles) = HalfDiff::from_directions(probe.wi, probe.wo) {
+        let folded = angles.folded();
+        show(&format!(
+            "θ_{{h}} {}  θ_{{d}} {}  φ_{{d}} {}",
+            degrees(folded.theta_h),
+            degrees(folded.theta_d),
+            degrees(folded.phi_d)
+        ));
+    }
+    let (measured, model) = state.values_at(probe);
+    show(&format!("measured {}", measured.map_or("not measured".into(), rgb)));
+    show(&format!("model {}", model.map_or("–".into(), rgb)));
+    if let (Some(measured), Some(model)) = (measured, model) {
+        let ratio: Vec<String> = (0..3)
+            .map(|k| if measured[k] > 0.0 { format!("{:.2}", model[k] / measured[k]) } else { "–".into() })
+            .collect();
+        show(&format!("model/measured {}", ratio.join(" ")));
+    }
+}
+
+fn rgb(value: Rgb) -> String {
+    value.map(crate::app::formula::number).join(" ")
+}

@@ -1,0 +1,307 @@
+//! Everything the window shows, as plain data. It changes in [`super::update::apply`] only.
+
+use super::history::History;
+use crate::brdf::{Brdf, ParamId};
+use crate::figure::lobes::Channel;
+use crate::figure::scale::RadialScale;
+use crate::geom::Rgb;
+use crate::gpu::sphere::SphereView;
+use crate::measured::Table;
+use crate::measured::lookup::Lookup;
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, VecDeque};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Number of an opened material, never used twice in a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct MaterialId(pub u64);
+
+/// Where a material comes from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// A file.
+    File(PathBuf),
+    /// A row of [`crate::measured::samples::SAMPLES`], by position.
+    Sample(usize),
+}
+
+/// A measured material in memory.
+#[derive(Clone, Debug)]
+pub struct Material {
+    /// Name on screen.
+    pub name: String,
+    /// File or sample.
+    pub origin: Origin,
+    /// The data.
+    pub table: Arc<Table>,
+}
+
+/// Which parts of the picture the sphere shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Show {
+    /// The data.
+    Measured,
+    /// The model.
+    Model,
+    /// Data left of a line, model right of it.
+    Split,
+    /// Two spheres.
+    SideBySide,
+}
+
+/// All ways to show the sphere, in the order offered.
+pub const SHOWS: [Show; 4] = [Show::Measured, Show::Model, Show::Split, Show::SideBySide];
+
+impl Show {
+    /// Name on screen.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Measured => "Measured",
+            Self::Model => "Model",
+            Self::Split => "Split",
+            Self::SideBySide => "Side by side",
+        }
+    }
+}
+
+/// What the sphere tile shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SphereTile {
+    /// Lights and exposure.
+    pub view: SphereView,
+    /// Measured, model or both.
+    pub show: Show,
+    /// Where the split line is: −1 at the left rim, 1 at the right.
+    pub split: f64,
+}
+
+/// What the lobe tile shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LobeTile {
+    /// Angles of incidence in radians.
+    pub theta_i: Vec<f64>,
+    /// The one whose vectors are drawn.
+    pub active: usize,
+    /// Radius per f_r.
+    pub scale: RadialScale,
+    /// Whether f_r is multiplied by cos θi.
+    pub with_cosine: bool,
+    /// Which channel.
+    pub channel: Channel,
+}
+
+/// An open material: the model over it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Opened {
+    /// Which material.
+    pub id: MaterialId,
+    /// The model that is drawn over it.
+    pub brdf: Brdf,
+}
+
+/// The part of the state that undo brings back.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Open materials in the order of the library.
+    pub opened: Vec<Opened>,
+    /// Position of the shown one in `opened`.
+    pub selected: usize,
+    /// Whether the three channels of a colour parameter move as one: ρ_d, k_s.
+    pub grey: [bool; 2],
+    /// Interpolation of the table in all views.
+    pub lookup: Lookup,
+    /// The sphere.
+    pub sphere: SphereTile,
+    /// The polar lobes.
+    pub lobes: LobeTile,
+}
+
+impl Default for Scene {
+    fn default() -> Self {
+        Self {
+            opened: Vec::new(),
+            selected: 0,
+            grey: [false; 2],
+            lookup: Lookup::Smooth,
+            sphere: SphereTile {
+                view: SphereView::default(),
+                show: Show::Split,
+                split: 0.0,
+            },
+            lobes: LobeTile {
+                theta_i: [30.0, 60.0, 80.0].map(f64::to_radians).to_vec(),
+                active: 1,
+                scale: RadialScale::CubeRoot,
+                with_cosine: false,
+                channel: Channel::Luminance,
+            },
+        }
+    }
+}
+
+impl Scene {
+    /// Position of a colour parameter in `grey`.
+    pub fn grey_index(id: ParamId) -> Option<usize> {
+        match id {
+            ParamId::RhoD => Some(0),
+            ParamId::KS => Some(1),
+            _ => None,
+        }
+    }
+}
+
+/// One pair of directions, marked in every view.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Probe {
+    /// To the light.
+    pub wi: DVec3,
+    /// To the viewer.
+    pub wo: DVec3,
+}
+
+/// A job under way.
+#[derive(Clone, Debug)]
+pub struct Job {
+    /// Its number.
+    pub id: u64,
+    /// What it does, for the status bar.
+    pub label: String,
+    /// How far it is, in [0, 1].
+    pub progress: f32,
+    /// Set to make it stop.
+    pub cancel: CancelFlag,
+}
+
+/// A flag that a job looks at.
+#[derive(Clone, Debug, Default)]
+pub struct CancelFlag(Arc<AtomicBool>);
+
+impl CancelFlag {
+    /// Asks the job to stop.
+    pub fn set(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether the job is to stop.
+    pub fn is_set(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+/// How bad a notice is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// Good to know.
+    Info,
+    /// Something did not work.
+    Error,
+}
+
+/// A sentence in the corner of the window, until it is closed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Notice {
+    /// Its number.
+    pub id: u64,
+    /// How bad.
+    pub level: Level,
+    /// One line.
+    pub text: String,
+}
+
+/// What is kept between runs.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Prefs {
+    /// Files opened lately, the last first.
+    pub recent: VecDeque<PathBuf>,
+    /// Light, dark, or as the system.
+    pub theme: Theme,
+}
+
+/// How many recent files are kept.
+const RECENT: usize = 10;
+
+impl Prefs {
+    /// Puts a file at the front of the recent ones.
+    pub fn remember(&mut self, path: PathBuf) {
+        self.recent.retain(|other| *other != path);
+        self.recent.push_front(path);
+        self.recent.truncate(RECENT);
+    }
+}
+
+/// The look of the window.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Theme {
+    /// As the system says.
+    #[default]
+    System,
+    /// Light.
+    Light,
+    /// Dark.
+    Dark,
+}
+
+/// A window over the window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dialog {
+    /// All commands, to be searched.
+    Palette,
+    /// Angles, vectors, units.
+    Conventions,
+    /// Version and graphics adapter.
+    About,
+}
+
+/// The whole state.
+#[derive(Debug, Default)]
+pub struct State {
+    /// What undo brings back.
+    pub scene: Scene,
+    /// The steps.
+    pub history: History<Scene>,
+    /// Data of every material that the scene or its history names.
+    pub materials: BTreeMap<MaterialId, Material>,
+    /// The pair of directions under the pointer.
+    pub probe: Option<Probe>,
+    /// Jobs under way, the oldest first.
+    pub jobs: Vec<Job>,
+    /// Notices, the oldest first.
+    pub notices: Vec<Notice>,
+    /// The open dialog.
+    pub dialog: Option<Dialog>,
+    /// What is typed in the palette.
+    pub palette_text: String,
+    /// What is kept between runs.
+    pub prefs: Prefs,
+    /// Source of numbers for materials, jobs and notices.
+    pub next_id: u64,
+}
+
+impl State {
+    /// A number not used before in this run.
+    pub fn fresh_id(&mut self) -> u64 {
+        self.next_id += 1;
+        self.next_id
+    }
+
+    /// The shown material and the model over it.
+    pub fn current(&self) -> Option<(&Material, &Opened)> {
+        let opened = self.scene.opened.get(self.scene.selected)?;
+        Some((self.materials.get(&opened.id)?, opened))
+    }
+
+    /// f_r of the shown material and of its model at a pair of directions.
+    pub fn values_at(&self, probe: Probe) -> (Option<Rgb>, Option<Rgb>) {
+        let Some((material, opened)) = self.current() else {
+            return (None, None);
+        };
+        let measured = material.table.lookup(probe.wi, probe.wo, self.scene.lookup);
+        let cosines = crate::geom::Cosines::from_directions(probe.wi, probe.wo);
+        let model = cosines.above_horizon().then(|| opened.brdf.eval(&cosines));
+        (measured, model)
+    }
+}

@@ -1,0 +1,112 @@
+//! Tasks: what [`super::update::apply`] asks to be done outside the state.
+
+use super::jobs::{self, Outbox, Queue};
+use super::state::Level;
+use super::update::{Msg, Task};
+use crate::files;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::thread;
+
+/// How a person is asked for files; a test hands its own.
+#[derive(Clone)]
+pub struct Picker {
+    /// Asks for files to open; empty where cancelled.
+    pub open: Arc<dyn Fn() -> Vec<PathBuf> + Send + Sync>,
+    /// Asks where to write, given a proposed name.
+    pub save: Arc<dyn Fn(&str) -> Option<PathBuf> + Send + Sync>,
+}
+
+impl Picker {
+    /// The system's file dialogs.
+    pub fn system() -> Self {
+        Self {
+            open: Arc::new(|| {
+                rfd::FileDialog::new()
+                    .set_title("Open materials")
+                    .add_filter("MERL BRDF", &["binary"])
+                    .add_filter("All files", &["*"])
+                    .pick_files()
+                    .unwrap_or_default()
+            }),
+            save: Arc::new(|name| {
+                rfd::FileDialog::new()
+                    .set_title("Save picture")
+                    .add_filter("PNG picture", &["png"])
+                    .set_file_name(name)
+                    .save_file()
+            }),
+        }
+    }
+}
+
+/// Starts a task. None waits here.
+pub fn start(task: Task, ctx: &egui::Context, outbox: &Outbox, queue: &Queue, picker: &Picker) {
+    match task {
+        Task::Load { job, origin, cancel } => {
+            let outbox = outbox.clone();
+            queue.push(move || jobs::load(job, origin, &cancel, &outbox));
+        }
+        Task::PickFiles => {
+            let (outbox, open) = (outbox.clone(), Arc::clone(&picker.open));
+            in_thread(&outbox.clone(), "open dialog", move || {
+                let paths = open();
+                if !paths.is_empty() {
+                    outbox.send(Msg::OpenFiles(paths));
+                }
+            });
+        }
+        Task::SavePicture => {
+            // The picture comes as an event of a later frame.
+            let save = SaveTo(Arc::clone(&picker.save));
+            ctx.send_viewport_cmd(egui::ViewportCommand::Screenshot(egui::UserData::new(save)));
+        }
+        Task::Copy(text) => ctx.copy_text(text),
+        Task::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
+        // The tiles are the window's own.
+        Task::ResetLayout => {}
+    }
+}
+
+/// Travels with the request for a picture to its arrival.
+struct SaveTo(Arc<dyn Fn(&str) -> Option<PathBuf> + Send + Sync>);
+
+/// Takes the pictures that have arrived, asks where to, and writes them.
+pub fn receive_picture(ctx: &egui::Context, outbox: &Outbox) {
+    let arrived = ctx.input(|input| {
+        input.events.iter().find_map(|event| match event {
+            egui::Event::Screenshot { user_data, image, .. } => {
+                let save = user_data.data.as_ref()?.downcast_ref::<SaveTo>()?;
+                Some((Arc::clone(image), Arc::clone(&save.0)))
+            }
+            _ => None,
+        })
+    });
+    let Some((picture, save)) = arrived else { return };
+    let sender = outbox.clone();
+    in_thread(outbox, "save dialog", move || {
+        let Some(path) = save("grazing.png") else { return };
+        sender.send(match write_png(&picture, &path) {
+            Ok(()) => Msg::Notify(Level::Info, format!("Saved {}", path.display())),
+            Err(reason) => Msg::Notify(Level::Error, reason),
+        });
+    });
+}
+
+fn write_png(picture: &egui::ColorImage, path: &Path) -> Result<(), String> {
+    let [width, height] = picture.size.map(|n| n as u32);
+    let bytes: Vec<u8> = picture.pixels.iter().flat_map(|pixel| [pixel.r(), pixel.g(), pixel.b()]).collect();
+    let image = image::RgbImage::from_raw(width, height, bytes).ok_or("the picture has no pixels")?;
+    let mut png = std::io::Cursor::new(Vec::new());
+    image
+        .write_to(&mut png, image::ImageFormat::Png)
+        .map_err(|error| format!("could not make the PNG: {error}"))?;
+    // The dialog has asked about an existing file.
+    files::write_atomically(path, true, |file| file.write_all(png.get_ref())).map_err(|error| error.to_string())
+}
+
+fn in_thread(outbox: &Outbox, name: &str, work: impl FnOnce() + Send + 'static) {
+    if let Err(error) = thread::Builder::new().name(name.into()).spawn(work) {
+        outbox.send(Msg::Notify(Level::Error, format!("could not start a thread for the {name}: {error}")));
+    }
+}

@@ -1,0 +1,64 @@
+//! The movable tiles in the middle.
+
+mod lobes;
+mod sphere;
+pub mod sphere_callback;
+
+use super::state::State;
+use super::update::Msg;
+use egui_tiles::{Behavior, TileId, Tree, UiResponse};
+use serde::{Deserialize, Serialize};
+
+/// A kind of tile.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+enum Pane {
+    Sphere,
+    Lobes,
+}
+
+/// The tiles and where they are.
+pub struct Tiles(Tree<Pane>);
+
+impl Default for Tiles {
+    fn default() -> Self {
+        Self(Tree::new_vertical(egui::Id::unique("tiles"), vec![Pane::Sphere, Pane::Lobes]))
+    }
+}
+
+impl Tiles {
+    /// Draws them.
+    pub fn ui(&mut self, ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+        self.0.ui(&mut View { state, out }, ui);
+    }
+}
+
+struct View<'a> {
+    state: &'a State,
+    out: &'a mut Vec<Msg>,
+}
+
+impl Behavior<Pane> for View<'_> {
+    fn pane_ui(&mut self, ui: &mut egui::Ui, _id: TileId, pane: &mut Pane) -> UiResponse {
+        egui::Frame::new().inner_margin(8.0).show(ui, |ui| match pane {
+            Pane::Sphere => sphere::sphere_ui(ui, self.state, self.out),
+            Pane::Lobes => lobes::lobes_ui(ui, self.state, self.out),
+        });
+        UiResponse::None
+    }
+
+    fn tab_title_for_pane(&mut self, pane: &Pane) -> egui::WidgetText {
+        match pane {
+            Pane::Sphere => "Sphere",
+            Pane::Lobes => "Polar lobes",
+        }
+        .into()
+    }
+
+    fn simplification_options(&self) -> egui_tiles::SimplificationOptions {
+        egui_tiles::SimplificationOptions {
+            // A tab gives every tile its name and a handle to move it by.
+            all_panes_must_have_tabs: true,
+            ..Default::default()
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! The live-shaded sphere: data, model, both split by a line, or side by side.
+
+use super::sphere_callback::{self, Half};
+use crate::app::command::Command;
+use crate::app::panels::dialogs;
+use crate::app::state::{Probe, SHOWS, Show, SphereTile, State};
+use crate::app::update::Msg;
+use crate::gpu::sphere::{LIGHT_PRESETS, highlight_of, light_for_highlight_at, local_directions};
+use egui::{Align2, Color32, CursorIcon, FontId, Pos2, Rect, Sense, Stroke, Vec2, pos2, vec2};
+
+/// How near in points the pointer must be to the split line to take it.
+const GRAB: f32 = 7.0;
+/// How far from a highlight in sphere radii a drag still takes that light rather than the first one.
+const NEAR_HIGHLIGHT: f64 = 0.35;
+
+/// Draws the tile.
+pub fn sphere_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+    let tile = &state.scene.sphere;
+    toolbar_ui(ui, state, tile, out);
+    let (rect, response) = ui.allocate_exact_size(ui.available_size().max(Vec2::splat(40.0)), Sense::click_and_drag());
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "Sphere"));
+    let Some((material, opened)) = state.current() else {
+        dialogs::empty_ui(ui, rect, "Open a material to see it on a sphere.");
+        return;
+    };
+    let spheres = layout(rect, tile);
+    for sphere in &spheres {
+        sphere_callback::paint(ui.painter(), sphere, state, material, opened);
+    }
+    if let Some(split_x) = split_line(&spheres[0], tile) {
+        draw_split(ui, &spheres[0], split_x);
+    }
+    for sphere in &spheres {
+        caption(ui, sphere, tile.show);
+    }
+    interact(ui, &response, tile, &spheres, out);
+}
+
+fn toolbar_ui(ui: &mut egui::Ui, state: &State, tile: &SphereTile, out: &mut Vec<Msg>) {
+    ui.horizontal_wrapped(|ui| {
+        for show in SHOWS {
+            let response = ui.selectable_label(tile.show == show, show.name());
+            if response.on_hover_text(Command::UseShow(show).hint(ui.ctx())).clicked() {
+                out.push(Msg::Run(Command::UseShow(show)));
+            }
+        }
+        ui.separator();
+        ui.menu_button("Lights", |ui| {
+            for (index, preset) in LIGHT_PRESETS.iter().enumerate() {
+                let checked = Command::UseLights(index).is_checked(state).unwrap_or(false);
+                if ui.selectable_label(checked, preset.name).on_hover_text(preset.help).clicked() {
+                    out.push(Msg::Run(Command::UseLights(index)));
+                }
+            }
+        });
+        ui.separator();
+        let mut exposure = tile.view.exposure_stops;
+        let label = ui.label("Exposure");
+        let drag = egui::DragValue::new(&mut exposure)
+            .speed(0.02)
+            .range(-10.0..=10.0)
+            .suffix(" EV")
+            .fixed_decimals(1);
+        let response = ui.add(drag).labelled_by(label.id).on_hover_text("Exposure in stops. Double click on the word: 0.");
+        if response.changed() {
+            out.push(Msg::SetSphere(with(tile, |tile| tile.view.exposure_stops = exposure)));
+        }
+        if label.interact(Sense::click()).double_clicked() {
+            out.push(Msg::SetSphere(with(tile, |tile| tile.view.exposure_stops = 0.0)));
+        }
+    });
+}
+
+/// A sphere on screen.
+pub struct OnScreen {
+    /// The square around it.
+    pub rect: Rect,
+    /// What it shows.
+    pub half: Half,
+}
+
+impl OnScreen {
+    /// A point in units of the radius, x to the right and y up.
+    fn unit(&self, point: Pos2) -> (f64, f64) {
+        let offset = (point - self.rect.center()) / (0.5 * self.rect.width());
+        (f64::from(offset.x), f64::from(-offset.y))
+    }
+}
+
+fn layout(rect: Rect, tile: &SphereTile) -> Vec<OnScreen> {
+    let square = |rect: Rect, half| OnScreen {
+        rect: Rect::from_center_size(rect.center(), Vec2::splat(rect.width().min(rect.height()) - 8.0).max(Vec2::splat(16.0))),
+        half,
+    };
+    match tile.show {
+        Show::Measured => vec![square(rect, Half::Measured)],
+        Show::Model => vec![square(rect, Half::Model)],
+        Show::Split => vec![square(rect, Half::Split(tile.split))],
+        Show::SideBySide => {
+            let (left, right) = rect.split_left_right_at_fraction(0.5);
+            vec![square(left, Half::Measured), square(right, Half::Model)]
+        }
+    }
+}
+
+fn split_line(sphere: &OnScreen, tile: &SphereTile) -> Option<f32> {
+    (tile.show == Show::Split).then(|| sphere.rect.center().x + 0.5 * sphere.rect.width() * tile.split as f32)
+}
+
+fn draw_split(ui: &egui::Ui, sphere: &OnScreen, x: f32) {
+    let painter = ui.painter();
+    let color = ui.visuals().strong_text_color();
+    painter.vline(x, sphere.rect.y_range(), Stroke::new(1.0, color.gamma_multiply(0.75)));
+    let handle = Rect::from_center_size(pos2(x, sphere.rect.bottom() - 14.0), vec2(7.0, 20.0));
+    painter.rect(
+        handle,
+        3.5,
+        ui.visuals().panel_fill,
+        Stroke::new(1.0, color),
+        egui::StrokeKind::Middle,
+    );
+}
+
+fn caption(ui: &egui::Ui, sphere: &OnScreen, show: Show) {
+    let put = |at: Pos2, align: Align2, text: &str| {
+        let color: Color32 = ui.visuals().weak_text_color();
+        ui.painter().text(at, align, text, FontId::proportional(13.0), color);
+    };
+    let rect = sphere.rect;
+    match (show, sphere.half) {
+        (Show::Split, _) => {
+            put(rect.left_top(), Align2::LEFT_TOP, "measured");
+            put(rect.right_top(), Align2::RIGHT_TOP, "model");
+        }
+        (_, Half::Measured) => put(rect.left_top(), Align2::LEFT_TOP, "measured"),
+        (_, Half::Model) => put(rect.left_top(), Align2::LEFT_TOP, "model"),
+        (_, Half::Split(_)) => {}
+    }
+}
+
+/// What a drag that began on the tile moves, kept by egui while it lasts.
+#[derive(Clone, Copy)]
+enum Grabbed {
+    Split,
+    Light(usize),
+}
+
+fn interact(ui: &egui::Ui, response: &egui::Response, tile: &SphereTile, spheres: &[OnScreen], out: &mut Vec<Msg>) {
+    let Some(pointer) = response.interact_pointer_pos().or(response.hover_pos()) else {
+        if response.ctx.input(|input| input.pointer.has_pointer()) && response.contains_pointer() {
+            out.push(Msg::SetProbe(None));
+        }
+        return;
+    };
+    let Some(sphere) = spheres.iter().min_by(|a, b| {
+        let distance = |s: &OnScreen| s.rect.distance_to_pos(pointer);
+        distance(a).total_cmp(&distance(b))
+    }) else {
+        return;
+    };
+    let on_split = split_line(sphere, tile)
+        .is_some_and(|x| (pointer.x - x).abs() < GRAB && sphere.rect.y_range().contains(pointer.y));
+    let (x, y) = sphere.unit(pointer);
+    let id = response.id.with("grabbed");
+    if response.drag_started_by(egui::PointerButton::Primary) {
+        let grabbed = if on_split { Grabbed::Split } else { Grabbed::Light(nearest_light(tile, x, y)) };
+        ui.data_mut(|data| data.insert_temp(id, grabbed));
+    }
+    if response.dragged_by(egui::PointerButton::Primary) {
+        match ui.data(|data| data.get_temp(id)) {
+            Some(Grabbed::Split) => {
+                out.push(Msg::SetSphere(with(tile, |tile| tile.split = x.clamp(-1.0, 1.0))));
+            }
+            Some(Grabbed::Light(light)) => out.push(Msg::SetSphere(with(tile, |tile| {
+                if let Some(light) = tile.view.lights.get_mut(light) {
+                    light.direction = light_for_highlight_at(x, y);
+                }
+            }))),
+            None => {}
+        }
+    }
+    if response.double_clicked() {
+        out.push(Msg::SetSphere(SphereTile { show: tile.show, ..crate::app::state::Scene::default().sphere }));
+    }
+    if response.hovered() {
+        ui.ctx().set_cursor_icon(if on_split { CursorIcon::ResizeHorizontal } else { CursorIcon::Crosshair });
+        let light = tile.view.lights.get(nearest_light(tile, x, y));
+        let probe = light.and_then(|light| local_directions(x, y, light)).map(|(wi, wo)| Probe { wi, wo });
+        out.push(Msg::SetProbe(probe));
+    }
+}
+
+/// The light whose highlight is near the point; else the first.
+fn nearest_light(tile: &SphereTile, x: f64, y: f64) -> usize {
+    let distance = |index: usize| {
+        let (hx, hy) = highlight_of(&tile.view.lights[index]);
+        (hx - x).hypot(hy - y)
+    };
+    (0..tile.view.lights.len())
+        .min_by(|a, b| distance(*a).total_cmp(&distance(*b)))
+        .filter(|index| distance(*index) < NEAR_HIGHLIGHT)
+        .unwrap_or(0)
+}
+
+fn with(tile: &SphereTile, change: impl FnOnce(&mut SphereTile)) -> SphereTile {
+    let mut tile = tile.clone();
+    change(&mut tile);
+    tile
+}

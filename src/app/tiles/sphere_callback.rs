@@ -1,0 +1,103 @@
+//! The sphere pass inside egui's picture: a paint callback, and what it keeps on the GPU between frames.
+
+use super::sphere::OnScreen;
+use crate::app::state::{Material, MaterialId, Opened, State};
+use crate::gpu::sphere_pass::{SpherePass, SphereSlot, SphereUniform};
+use crate::gpu::table_texture::TableTexture;
+use crate::measured::Table;
+use eframe::egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState, ScreenDescriptor};
+use eframe::wgpu;
+use egui::PaintCallbackInfo;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// What a sphere on screen shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Half {
+    /// The data.
+    Measured,
+    /// The model.
+    Model,
+    /// Data left of a line at this place in units of the radius, model right of it.
+    Split(f64),
+}
+
+impl Half {
+    /// The place of the line, far outside where there is only one.
+    fn split(self) -> f64 {
+        match self {
+            Self::Measured => 2.0,
+            Self::Model => -2.0,
+            Self::Split(at) => at,
+        }
+    }
+}
+
+/// Prepares the renderer, once.
+pub fn install(render_state: &RenderState) {
+    let pass = SpherePass::new(&render_state.device, render_state.target_format);
+    let kept = Kept { pass, tables: HashMap::new(), slots: HashMap::new() };
+    render_state.renderer.write().callback_resources.insert(kept);
+}
+
+/// Adds a sphere to the picture.
+pub fn paint(painter: &egui::Painter, sphere: &OnScreen, state: &State, material: &Material, opened: &Opened) {
+    let radius_px = 0.5 * sphere.rect.width() * painter.ctx().pixels_per_point();
+    let scene = &state.scene;
+    let uniform =
+        SphereUniform::new(&scene.sphere.view, &opened.brdf, scene.lookup, sphere.half.split(), radius_px);
+    let callback = SphereCallback {
+        // Two spheres are told apart by what they show.
+        key: (opened.id, matches!(sphere.half, Half::Model)),
+        table: Arc::clone(&material.table),
+        open: scene.opened.iter().map(|opened| opened.id).collect(),
+        uniform,
+    };
+    painter.add(Callback::new_paint_callback(sphere.rect, callback));
+}
+
+type Key = (MaterialId, bool);
+
+/// What stays on the GPU.
+struct Kept {
+    pass: SpherePass,
+    tables: HashMap<MaterialId, TableTexture>,
+    slots: HashMap<Key, SphereSlot>,
+}
+
+struct SphereCallback {
+    key: Key,
+    table: Arc<Table>,
+    /// The materials whose textures are worth keeping.
+    open: Vec<MaterialId>,
+    uniform: SphereUniform,
+}
+
+impl CallbackTrait for SphereCallback {
+    fn prepare(
+        &self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        _screen: &ScreenDescriptor,
+        _encoder: &mut wgpu::CommandEncoder,
+        resources: &mut CallbackResources,
+    ) -> Vec<wgpu::CommandBuffer> {
+        let Some(Kept { pass, tables, slots }) = resources.get_mut::<Kept>() else {
+            return Vec::new();
+        };
+        tables.retain(|id, _| self.open.contains(id));
+        slots.retain(|(id, _), _| self.open.contains(id));
+        let table =
+            tables.entry(self.key.0).or_insert_with(|| TableTexture::upload(device, queue, &self.table));
+        slots.entry(self.key).or_insert_with(|| pass.slot(device, table)).write(queue, &self.uniform);
+        Vec::new()
+    }
+
+    fn paint(&self, _info: PaintCallbackInfo, pass: &mut wgpu::RenderPass<'static>, resources: &CallbackResources) {
+        if let Some(kept) = resources.get::<Kept>()
+            && let Some(slot) = kept.slots.get(&self.key)
+        {
+            kept.pass.draw(pass, slot);
+        }
+    }
+}

@@ -1,0 +1,328 @@
+//! The one place where the state changes: `apply(state, message) → tasks`.
+
+use super::command::Command;
+use super::state::{
+    CancelFlag, Dialog, Job, LobeTile, Level, Material, MaterialId, Notice, Opened, Origin, Probe, Scene,
+    SphereTile, State,
+};
+use crate::brdf::{Brdf, Fresnel, MODELS, Model, ParamId, Params};
+use crate::fit::start;
+use crate::geom::color::luminance;
+use crate::measured::Table;
+use crate::measured::lookup::Lookup;
+use crate::measured::samples::SAMPLES;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// Something happened.
+#[derive(Debug)]
+pub enum Msg {
+    /// A command was chosen in a menu, by its keys or in the palette.
+    Run(Command),
+    /// Open these files.
+    OpenFiles(Vec<PathBuf>),
+    /// A job went on.
+    Progress { job: u64, progress: f32 },
+    /// A job brought a material, or one line that says why not (`None`: it was cancelled).
+    Loaded { job: u64, origin: Origin, result: Result<Loaded, Option<String>> },
+    /// Stop a job.
+    Cancel(u64),
+    /// Show another open material.
+    Select(usize),
+    /// Close an open material.
+    Close(usize),
+    /// Give a channel of a parameter a value; all channels where `channel` is `None`.
+    SetParam { id: ParamId, channel: Option<usize>, value: f64 },
+    /// Put a parameter back to its default.
+    ResetParam(ParamId),
+    /// Let the channels of a colour move as one, or apart.
+    SetGrey(ParamId, bool),
+    /// Change the sphere tile.
+    SetSphere(SphereTile),
+    /// Change the lobe tile.
+    SetLobes(LobeTile),
+    /// The pointer shows a pair of directions, or none.
+    SetProbe(Option<Probe>),
+    /// The palette's text.
+    PaletteText(String),
+    /// Close the dialog.
+    CloseDialog,
+    /// Say something.
+    Notify(Level, String),
+    /// Close a notice.
+    Dismiss(u64),
+    /// No button and no key is held: the gesture is over.
+    Settle,
+}
+
+/// What a loading job brings.
+#[derive(Debug)]
+pub struct Loaded {
+    /// Name on screen.
+    pub name: String,
+    /// The data.
+    pub table: Arc<Table>,
+    /// The model to begin with.
+    pub brdf: Brdf,
+}
+
+impl Loaded {
+    /// A table with its first guess; part of the job, as it walks the data.
+    pub fn new(name: String, table: Table) -> Self {
+        let brdf = start::from_table(&table);
+        Self { name, table: Arc::new(table), brdf }
+    }
+}
+
+/// Something to be done outside the state.
+#[derive(Debug)]
+pub enum Task {
+    /// Load a material in the background.
+    Load { job: u64, origin: Origin, cancel: CancelFlag },
+    /// Ask for files to open.
+    PickFiles,
+    /// Ask where to, and write a picture of the window.
+    SavePicture,
+    /// Put the tiles back.
+    ResetLayout,
+    /// Put this on the clipboard.
+    Copy(String),
+    /// Close the window.
+    Quit,
+}
+
+/// Changes the state.
+pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
+    match msg {
+        Msg::Run(command) => return run(state, command),
+        Msg::OpenFiles(paths) => return paths.into_iter().map(|path| load(state, Origin::File(path))).collect(),
+        Msg::Progress { job, progress } => {
+            if let Some(job) = state.jobs.iter_mut().find(|other| other.id == job) {
+                job.progress = progress;
+            }
+        }
+        Msg::Loaded { job, origin, result } => {
+            state.jobs.retain(|other| other.id != job);
+            match result {
+                Ok(loaded) => add_material(state, origin, loaded),
+                Err(Some(reason)) => notify(state, Level::Error, reason),
+                Err(None) => {}
+            }
+        }
+        Msg::Cancel(job) => {
+            if let Some(job) = state.jobs.iter().find(|other| other.id == job) {
+                job.cancel.set();
+            }
+        }
+        Msg::Select(index) => edit(state, |scene| {
+            if index < scene.opened.len() {
+                scene.selected = index;
+            }
+        }),
+        Msg::Close(index) => {
+            edit(state, |scene| {
+                if index < scene.opened.len() {
+                    scene.opened.remove(index);
+                    if scene.selected > index || scene.selected == scene.opened.len() {
+                        scene.selected = scene.selected.saturating_sub(1);
+                    }
+                }
+            });
+            forget_unreachable(state);
+        }
+        Msg::SetParam { id, channel, value } => edit_brdf(state, |brdf, _| {
+            let Some(row) = brdf.model.param(id) else { return };
+            let value = row.clamp(value);
+            let values = brdf.params.get_mut(id);
+            match channel {
+                Some(channel) => values[channel] = value,
+                None => values.fill(value),
+            }
+        }),
+        Msg::ResetParam(id) => edit_brdf(state, |brdf, _| {
+            if let Some(row) = brdf.model.param(id) {
+                brdf.params.get_mut(id).fill(row.default);
+            }
+        }),
+        Msg::SetGrey(id, grey) => {
+            edit(state, |scene| {
+                if let Some(index) = Scene::grey_index(id) {
+                    scene.grey[index] = grey;
+                }
+            });
+            if grey {
+                edit_brdf(state, |brdf, _| make_grey(&mut brdf.params, id));
+            }
+        }
+        Msg::SetSphere(sphere) => edit(state, |scene| scene.sphere = sphere),
+        Msg::SetLobes(lobes) => edit(state, |scene| scene.lobes = lobes),
+        Msg::SetProbe(probe) => state.probe = probe,
+        Msg::PaletteText(text) => state.palette_text = text,
+        Msg::CloseDialog => state.dialog = None,
+        Msg::Notify(level, text) => notify(state, level, text),
+        Msg::Dismiss(id) => state.notices.retain(|notice| notice.id != id),
+        Msg::Settle => state.history.settle(&state.scene),
+    }
+    Vec::new()
+}
+
+fn run(state: &mut State, command: Command) -> Vec<Task> {
+    match command {
+        Command::Open => return vec![Task::PickFiles],
+        Command::OpenSample(index) if index < SAMPLES.len() => return vec![load(state, Origin::Sample(index))],
+        Command::OpenSample(_) => {}
+        Command::OpenRecent(index) => {
+            let path = state.prefs.recent.get(index).cloned();
+            return path.map(|path| load(state, Origin::File(path))).into_iter().collect();
+        }
+        Command::Close => {
+            let selected = state.scene.selected;
+            return apply(state, Msg::Close(selected));
+        }
+        Command::SavePicture => return vec![Task::SavePicture],
+        Command::Quit => return vec![Task::Quit],
+        Command::Undo => {
+            let State { history, scene, .. } = state;
+            history.undo(scene);
+        }
+        Command::Redo => {
+            let State { history, scene, .. } = state;
+            history.redo(scene);
+        }
+        Command::GuessParams => {
+            let Some(table) = state.current().map(|(material, _)| Arc::clone(&material.table)) else {
+                return Vec::new();
+            };
+            edit_brdf(state, |brdf, _| {
+                let guess = start::from_table(&table);
+                let model = brdf.model;
+                *brdf = guess.with_model(model);
+            });
+        }
+        Command::ResetParams => edit_brdf(state, |brdf, _| {
+            for row in brdf.model.params {
+                brdf.params.get_mut(row.id).fill(row.default);
+            }
+        }),
+        Command::UseModel(index) => {
+            let model: &'static Model = MODELS[index.min(MODELS.len() - 1)];
+            edit_brdf(state, |brdf, _| *brdf = brdf.with_model(model));
+        }
+        Command::UseFresnel(fresnel) => edit_brdf(state, |brdf, _| change_fresnel(brdf, fresnel)),
+        Command::NextMaterial | Command::PreviousMaterial => {
+            let count = state.scene.opened.len();
+            let step = if command == Command::NextMaterial { 1 } else { count.saturating_sub(1) };
+            if count > 0 {
+                let next = (state.scene.selected + step) % count;
+                return apply(state, Msg::Select(next));
+            }
+        }
+        Command::UseShow(show) => edit(state, |scene| scene.sphere.show = show),
+        Command::UseLights(index) => edit(state, |scene| {
+            if let Some(preset) = crate::gpu::sphere::LIGHT_PRESETS.get(index) {
+                scene.sphere.view.lights = (preset.lights)();
+            }
+        }),
+        Command::UseScale(scale) => edit(state, |scene| scene.lobes.scale = scale),
+        Command::ToggleCosine => edit(state, |scene| scene.lobes.with_cosine = !scene.lobes.with_cosine),
+        Command::ToggleRaw => edit(state, |scene| {
+            scene.lookup = if scene.lookup == Lookup::Nearest { Lookup::Smooth } else { Lookup::Nearest };
+        }),
+        Command::UseTheme(theme) => state.prefs.theme = theme,
+        Command::ResetLayout => return vec![Task::ResetLayout],
+        Command::CopyParams => {
+            if let Some((_, opened)) = state.current() {
+                return vec![Task::Copy(crate::brdf::json::to_value(&opened.brdf).to_string())];
+            }
+        }
+        Command::ClearRecent => state.prefs.recent.clear(),
+        Command::Palette => {
+            state.palette_text.clear();
+            state.dialog = Some(Dialog::Palette);
+        }
+        Command::Conventions => state.dialog = Some(Dialog::Conventions),
+        Command::About => state.dialog = Some(Dialog::About),
+    }
+    Vec::new()
+}
+
+/// k_s·R_F(0) stays, so that the highlight seen from above does.
+fn change_fresnel(brdf: &mut Brdf, fresnel: Fresnel) {
+    let before = brdf.specular_at_normal();
+    let r0 = fresnel.reflectance(1.0, brdf.params.eta);
+    brdf.fresnel = fresnel;
+    if r0 > 0.0 {
+        brdf.params.k_s = before.map(|amplitude| amplitude / r0);
+    }
+}
+
+fn make_grey(params: &mut Params, id: ParamId) {
+    let values = params.get_mut(id);
+    if let [r, g, b] = *values {
+        values.fill(luminance([r, g, b]));
+    }
+}
+
+fn edit(state: &mut State, change: impl FnOnce(&mut Scene)) {
+    state.history.before_change(&state.scene);
+    change(&mut state.scene);
+}
+
+fn edit_brdf(state: &mut State, change: impl FnOnce(&mut Brdf, [bool; 2])) {
+    edit(state, |scene| {
+        let grey = scene.grey;
+        if let Some(opened) = scene.opened.get_mut(scene.selected) {
+            change(&mut opened.brdf, grey);
+        }
+    });
+}
+
+fn load(state: &mut State, origin: Origin) -> Task {
+    let job = state.fresh_id();
+    let cancel = CancelFlag::default();
+    let label = match &origin {
+        Origin::File(path) => path.file_name().map_or_else(|| path.display().to_string(), |name| name.display().to_string()),
+        Origin::Sample(index) => SAMPLES[*index].name.to_string(),
+    };
+    state.jobs.push(Job { id: job, label, progress: 0.0, cancel: cancel.clone() });
+    Task::Load { job, origin, cancel }
+}
+
+fn add_material(state: &mut State, origin: Origin, loaded: Loaded) {
+    if let Origin::File(path) = &origin {
+        state.prefs.remember(path.clone());
+    }
+    let id = MaterialId(state.fresh_id());
+    state.materials.insert(id, Material { name: loaded.name, origin, table: loaded.table });
+    let opened = Opened { id, brdf: loaded.brdf };
+    let add = |scene: &mut Scene| {
+        scene.opened.push(opened);
+        scene.selected = scene.opened.len() - 1;
+    };
+    if state.scene.opened.is_empty() && !state.history.can_undo() {
+        // The first material is where the story begins, not a step of it.
+        add(&mut state.scene);
+        return;
+    }
+    // A drag may be under way: opening is a step of its own.
+    state.history.settle(&state.scene);
+    edit(state, add);
+    state.history.settle(&state.scene);
+    forget_unreachable(state);
+}
+
+/// Drops the data that neither the scene nor any step of its history shows.
+fn forget_unreachable(state: &mut State) {
+    let State { materials, history, scene, .. } = state;
+    let reachable: std::collections::BTreeSet<MaterialId> = history
+        .states()
+        .chain([&*scene])
+        .flat_map(|scene| scene.opened.iter().map(|opened| opened.id))
+        .collect();
+    materials.retain(|id, _| reachable.contains(id));
+}
+
+fn notify(state: &mut State, level: Level, text: String) {
+    let id = state.fresh_id();
+    state.notices.push(Notice { id, level, text });
+}

@@ -1,0 +1,145 @@
+//! Which graphics adapter draws: a hardware one with a modern interface, else GL, else software; the first that works.
+
+use wgpu::{Adapter, AdapterInfo, Backend, DeviceDescriptor, DeviceType, Surface};
+
+/// Environment variable that names the adapter to take (part of its name, any case).
+pub const ADAPTER_NAME: &str = "WGPU_ADAPTER_NAME";
+
+/// Order of preference, the lowest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Rank {
+    /// Vulkan, Metal or DX12 on hardware.
+    Modern,
+    /// OpenGL on hardware.
+    Gl,
+    /// The processor, by Vulkan.
+    Software,
+    /// The processor, by OpenGL.
+    SoftwareGl,
+}
+
+/// The rank of an adapter.
+pub fn rank(info: &AdapterInfo) -> Rank {
+    let name = info.name.to_lowercase();
+    let software = info.device_type == DeviceType::Cpu
+        || ["llvmpipe", "softpipe", "swiftshader", "software"].iter().any(|word| name.contains(word));
+    match (software, info.backend) {
+        (false, Backend::Gl) => Rank::Gl,
+        (false, _) => Rank::Modern,
+        (true, Backend::Gl) => Rank::SoftwareGl,
+        (true, _) => Rank::Software,
+    }
+}
+
+/// Takes the first adapter, in the order of [`rank`], that can show on the surface and gives a device.
+///
+/// # Errors
+/// Names the adapters that were tried and why each failed.
+pub fn select(adapters: &[Adapter], surface: Option<&Surface<'_>>) -> Result<Adapter, String> {
+    let wanted = std::env::var(ADAPTER_NAME).unwrap_or_default().to_lowercase();
+    let mut candidates: Vec<&Adapter> = adapters
+        .iter()
+        .filter(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted))
+        .collect();
+    candidates.sort_by_key(|adapter| rank(&adapter.get_info()));
+    let mut tried = Vec::new();
+    for adapter in candidates {
+        let failure = if surface.is_some_and(|surface| !adapter.is_surface_supported(surface)) {
+            "cannot show on this display".to_string()
+        } else {
+            match pollster::block_on(adapter.request_device(&device_descriptor(adapter))) {
+                Ok(_) => return Ok(adapter.clone()),
+                Err(error) => error.to_string(),
+            }
+        };
+        tried.push(format!("{}: {failure}", describe(&adapter.get_info())));
+    }
+    Err(match tried.as_slice() {
+        [] => "no graphics adapter was found".to_string(),
+        tried => format!("no graphics adapter works: {}", tried.join("; ")),
+    })
+}
+
+/// What is asked of a device: no more than the adapter has, and little at that.
+pub fn device_descriptor(adapter: &Adapter) -> DeviceDescriptor<'static> {
+    let base = if adapter.get_info().backend == Backend::Gl {
+        wgpu::Limits::downlevel_webgl2_defaults()
+    } else {
+        wgpu::Limits::downlevel_defaults()
+    };
+    let limits = adapter.limits();
+    DeviceDescriptor {
+        label: Some("grazing"),
+        required_limits: wgpu::Limits {
+            // The window may be larger than the 2048 pixels of the base limits.
+            max_texture_dimension_2d: limits.max_texture_dimension_2d.min(8192),
+            ..base.using_alignment(limits)
+        },
+        ..Default::default()
+    }
+}
+
+/// The adapter in words, for people.
+pub fn describe(info: &AdapterInfo) -> String {
+    let kind = match rank(info) {
+        Rank::Modern | Rank::Gl => "",
+        Rank::Software | Rank::SoftwareGl => ", software",
+    };
+    let driver = match (info.driver.as_str(), info.driver_info.as_str()) {
+        ("", "") => String::new(),
+        (driver, version) => format!(", {}", format!("{driver} {version}").trim()),
+    };
+    format!("{} ({:?}{kind}{driver})", info.name, info.backend)
+}
+
+/// A device without a window.
+#[derive(Debug)]
+pub struct Gpu {
+    /// The adapter's description.
+    pub info: AdapterInfo,
+    /// The device.
+    pub device: wgpu::Device,
+    /// Its queue.
+    pub queue: wgpu::Queue,
+}
+
+/// Opens a device without a window, in the same order of preference.
+///
+/// # Errors
+/// As [`select`].
+pub fn headless() -> Result<Gpu, String> {
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+    let adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()));
+    let adapter = select(&adapters, None)?;
+    let (device, queue) = pollster::block_on(adapter.request_device(&device_descriptor(&adapter)))
+        .map_err(|error| error.to_string())?;
+    Ok(Gpu { info: adapter.get_info(), device, queue })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn info(name: &str, device_type: DeviceType, backend: Backend) -> AdapterInfo {
+        AdapterInfo { name: name.into(), ..AdapterInfo::new(device_type, backend) }
+    }
+
+    #[test]
+    fn hardware_comes_before_software_and_vulkan_before_gl() {
+        let mut list = [
+            info("llvmpipe (LLVM 15)", DeviceType::Other, Backend::Gl),
+            info("llvmpipe (LLVM 15)", DeviceType::Cpu, Backend::Vulkan),
+            info("NVIDIA H200", DeviceType::Other, Backend::Gl),
+            info("NVIDIA H200", DeviceType::DiscreteGpu, Backend::Vulkan),
+        ];
+        list.sort_by_key(rank);
+        let order: Vec<_> = list.iter().map(rank).collect();
+        assert_eq!(order, [Rank::Modern, Rank::Gl, Rank::Software, Rank::SoftwareGl]);
+    }
+
+    #[test]
+    fn software_is_named_as_such() {
+        let text = describe(&info("llvmpipe", DeviceType::Cpu, Backend::Vulkan));
+        assert!(text.contains("llvmpipe") && text.contains("software"), "{text}");
+    }
+}

@@ -1,0 +1,10 @@
+//! wgpu without egui: the adapter, tables as textures, the sphere pass, pictures off screen.
+//!
+//! WGSL mirrors the CPU function by function; `tests/parity.rs` compares the two as numbers.
+
+pub mod adapter;
+pub mod offscreen;
+pub mod shader;
+pub mod sphere;
+pub mod sphere_pass;
+pub mod table_texture;

@@ -1,0 +1,17 @@
+//! Shader text, put together from the twins.
+
+/// Everything that knows angles, models and tables: `eval_brdf`, `half_diff_from_directions`, `lookup_table`.
+pub fn library() -> String {
+    [
+        crate::brdf::wgsl::source().as_str(),
+        include_str!("../geom/half_diff.wgsl"),
+        include_str!("../geom/color.wgsl"),
+        include_str!("../measured/lookup.wgsl"),
+    ]
+    .join("\n")
+}
+
+/// The sphere pass.
+pub fn sphere() -> String {
+    library() + include_str!("sphere.wgsl")
+}

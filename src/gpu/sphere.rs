@@ -1,0 +1,164 @@
+//! The sphere as numbers: lights, exposure, and the geometry between a point of the picture and (wi, wo).
+//!
+//! View space: x to the right, y up, z to the viewer, who looks from infinitely far. The sphere fills the square
+//! [−1, 1]²; a point of the picture is given in these units.
+
+use crate::geom::Rgb;
+use glam::DVec3;
+use std::f64::consts::PI;
+
+/// How many lights the pass adds up.
+pub const MAX_LIGHTS: usize = 4;
+
+/// A light infinitely far away.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Light {
+    /// Unit vector towards the light in view space. z < 0 is behind the sphere.
+    pub direction: DVec3,
+    /// Colour and strength. At strength 1 the irradiance is π, so that a white diffuse surface that faces the light
+    /// has the value 1 at 0 stops.
+    pub strength: Rgb,
+}
+
+/// How the sphere is lit and exposed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SphereView {
+    /// At most [`MAX_LIGHTS`] count.
+    pub lights: Vec<Light>,
+    /// Exposure in stops: radiance × 2^stops.
+    pub exposure_stops: f64,
+}
+
+impl Default for SphereView {
+    /// The poster's pair of lights at 0 stops.
+    fn default() -> Self {
+        Self { lights: poster_lights(), exposure_stops: 0.0 }
+    }
+}
+
+/// A named set of lights.
+#[derive(Debug)]
+pub struct LightPreset {
+    /// Name on screen.
+    pub name: &'static str,
+    /// One sentence.
+    pub help: &'static str,
+    /// The lights.
+    pub lights: fn() -> Vec<Light>,
+}
+
+/// The sets offered.
+pub static LIGHT_PRESETS: [LightPreset; 4] = [
+    LightPreset {
+        name: "Glancing and grazing",
+        help: "The poster's pair: a glancing light from the upper right, a grazing one from the lower left",
+        lights: poster_lights,
+    },
+    LightPreset { name: "Glancing", help: "One light from the upper right", lights: || vec![glancing()] },
+    LightPreset { name: "Grazing", help: "One light from the lower left, behind the sphere", lights: || vec![grazing()] },
+    LightPreset {
+        name: "From the viewer",
+        help: "One light beside the viewer's eye",
+        lights: || vec![light(0.0, 0.0, 1.0)],
+    },
+];
+
+fn poster_lights() -> Vec<Light> {
+    vec![glancing(), grazing()]
+}
+
+fn glancing() -> Light {
+    light(0.6, 0.6, 0.55)
+}
+
+fn grazing() -> Light {
+    light(-0.72, -0.6, -0.45)
+}
+
+fn light(x: f64, y: f64, z: f64) -> Light {
+    Light { direction: DVec3::new(x, y, z).normalize(), strength: [1.0; 3] }
+}
+
+/// Towards the viewer.
+const VIEW: DVec3 = DVec3::Z;
+
+/// The unit normal at a point of the picture; `None` outside the sphere.
+pub fn normal_at(x: f64, y: f64) -> Option<DVec3> {
+    let rest = 1.0 - x * x - y * y;
+    (rest > 0.0).then(|| DVec3::new(x, y, rest.sqrt()))
+}
+
+/// (wi, wo) in the local frame at a point of the picture; `None` outside the sphere.
+///
+/// The frame is turned such that wo has azimuth 0.
+pub fn local_directions(x: f64, y: f64, light: &Light) -> Option<(DVec3, DVec3)> {
+    let n = normal_at(x, y)?;
+    let tangent = (VIEW - n * n.z).try_normalize().unwrap_or_else(|| n.any_orthonormal_vector());
+    let bitangent = n.cross(tangent);
+    let local = |w: DVec3| DVec3::new(w.dot(tangent), w.dot(bitangent), w.dot(n));
+    Some((local(light.direction), local(VIEW)))
+}
+
+/// The light direction whose mirror highlight is at a point of the picture; points outside count as the rim.
+pub fn light_for_highlight_at(x: f64, y: f64) -> DVec3 {
+    let radius = x.hypot(y);
+    let scale = if radius > RIM { RIM / radius } else { 1.0 };
+    let (x, y) = (x * scale, y * scale);
+    let n = DVec3::new(x, y, (1.0 - x * x - y * y).sqrt());
+    2.0 * n.z * n - VIEW
+}
+
+/// The largest radius a highlight is dragged to. There the light is 176° from the viewer's axis.
+const RIM: f64 = 0.9994;
+
+/// Where on the picture the mirror highlight of a light is.
+pub fn highlight_of(light: &Light) -> (f64, f64) {
+    let n = (light.direction + VIEW).try_normalize().unwrap_or(DVec3::X);
+    (n.x, n.y)
+}
+
+/// The irradiance factor on the exposed picture.
+pub(super) fn exposed_strength(light: &Light, exposure_stops: f64) -> [f32; 3] {
+    let gain = PI * exposure_stops.exp2();
+    light.strength.map(|strength| (gain * strength) as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geom::half_diff::half_vector;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn a_highlight_is_where_its_light_was_dragged(radius in 0.0..0.999, angle in 0.0..6.28) {
+            let (x, y) = (radius * f64::cos(angle), radius * f64::sin(angle));
+            let light = Light { direction: light_for_highlight_at(x, y), strength: [1.0; 3] };
+            prop_assert!((light.direction.length() - 1.0).abs() < 1e-12);
+            let (hx, hy) = highlight_of(&light);
+            prop_assert!((hx - x).hypot(hy - y) < 1e-9);
+            // In the local frame there, the half vector is the normal.
+            let (wi, wo) = local_directions(x, y, &light).expect("on the sphere");
+            prop_assert!((half_vector(wi, wo) - DVec3::Z).length() < 1e-6);
+        }
+
+        #[test]
+        fn local_directions_keep_lengths_and_angles(x in -0.7..0.7, y in -0.7..0.7) {
+            for light in poster_lights() {
+                let (wi, wo) = local_directions(x, y, &light).expect("on the sphere");
+                prop_assert!((wi.length() - 1.0).abs() < 1e-12 && (wo.length() - 1.0).abs() < 1e-12);
+                prop_assert!((wi.dot(wo) - light.direction.z).abs() < 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn the_posters_lights_are_glancing_and_grazing() {
+        let [glancing, grazing] = poster_lights()[..] else { panic!("two lights") };
+        assert!(glancing.direction.x > 0.0 && glancing.direction.y > 0.0 && glancing.direction.z > 0.0);
+        assert!(grazing.direction.x < 0.0 && grazing.direction.y < 0.0);
+        // At its highlight the grazing light comes in at more than 50° from the normal, the glancing one at less.
+        let theta = |light: &Light| 0.5 * light.direction.z.acos().to_degrees();
+        assert!(theta(&grazing) > 50.0 && theta(&glancing) < 40.0);
+    }
+}

@@ -1,0 +1,163 @@
+//! The sphere pass: pipeline, uniform, draw.
+
+use super::shader;
+use super::sphere::{MAX_LIGHTS, SphereView, exposed_strength};
+use super::table_texture::TableTexture;
+use crate::brdf::Brdf;
+use crate::brdf::wgsl::{UNIFORM_SLOTS, uniform};
+use crate::measured::lookup::Lookup;
+
+/// The two tones of the hatch on unmeasured directions, sRGB-encoded: visible on light and dark ground.
+const HATCH: [[f32; 4]; 2] = [[0.36, 0.36, 0.40, 1.0], [0.62, 0.62, 0.66, 1.0]];
+
+/// The uniform `Sphere` of `sphere.wgsl`, in its layout.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct SphereUniform {
+    brdf: [[f32; 4]; UNIFORM_SLOTS],
+    /// Direction and irradiance of each light, in slots of 16 bytes.
+    lights: [[[f32; 4]; 2]; MAX_LIGHTS],
+    light_count: u32,
+    smoothly: u32,
+    split: f32,
+    radius_px: f32,
+    hatch: [[f32; 4]; 2],
+}
+
+impl SphereUniform {
+    /// The numbers of one sphere of `radius_px` pixels. Left of `split` (in units of the radius) is the table.
+    pub fn new(view: &SphereView, brdf: &Brdf, lookup: Lookup, split: f64, radius_px: f32) -> Self {
+        let mut lights = [[[0.0; 4]; 2]; MAX_LIGHTS];
+        for (slot, light) in lights.iter_mut().zip(&view.lights) {
+            let [x, y, z] = light.direction.as_vec3().to_array();
+            let [r, g, b] = exposed_strength(light, view.exposure_stops);
+            *slot = [[x, y, z, 0.0], [r, g, b, 0.0]];
+        }
+        Self {
+            brdf: uniform(brdf),
+            lights,
+            light_count: view.lights.len().min(MAX_LIGHTS) as u32,
+            smoothly: u32::from(lookup == Lookup::Smooth),
+            // Infinities are not for shaders.
+            split: split.clamp(-2.0, 2.0) as f32,
+            radius_px: radius_px.max(1.0),
+            hatch: HATCH,
+        }
+    }
+}
+
+/// The pipeline, for one format of the target. The target is in gamma space; blending is premultiplied.
+#[derive(Debug)]
+pub struct SpherePass {
+    pipeline: wgpu::RenderPipeline,
+    layout: wgpu::BindGroupLayout,
+}
+
+/// One sphere on the GPU: its uniform and what it is bound to.
+#[derive(Debug)]
+pub struct SphereSlot {
+    uniform: wgpu::Buffer,
+    bind_group: wgpu::BindGroup,
+}
+
+impl SpherePass {
+    /// Compiles the shader.
+    pub fn new(device: &wgpu::Device, format: wgpu::TextureFormat) -> Self {
+        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some("sphere"),
+            source: wgpu::ShaderSource::Wgsl(shader::sphere().into()),
+        });
+        let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("sphere"),
+            entries: &[
+                wgpu::BindGroupLayoutEntry {
+                    binding: 0,
+                    visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+                    ty: wgpu::BindingType::Buffer {
+                        ty: wgpu::BufferBindingType::Uniform,
+                        has_dynamic_offset: false,
+                        min_binding_size: None,
+                    },
+                    count: None,
+                },
+                wgpu::BindGroupLayoutEntry {
+                    binding: 1,
+                    visibility: wgpu::ShaderStages::FRAGMENT,
+                    ty: wgpu::BindingType::Texture {
+                        sample_type: wgpu::TextureSampleType::Float { filterable: false },
+                        view_dimension: wgpu::TextureViewDimension::D2Array,
+                        multisampled: false,
+                    },
+                    count: None,
+                },
+            ],
+        });
+        let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some("sphere"),
+            bind_group_layouts: &[Some(&layout)],
+            immediate_size: 0,
+        });
+        let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some("sphere"),
+            layout: Some(&pipeline_layout),
+            vertex: wgpu::VertexState {
+                module: &module,
+                entry_point: Some("vertex_main"),
+                compilation_options: Default::default(),
+                buffers: &[],
+            },
+            primitive: wgpu::PrimitiveState {
+                topology: wgpu::PrimitiveTopology::TriangleStrip,
+                ..Default::default()
+            },
+            depth_stencil: None,
+            multisample: Default::default(),
+            fragment: Some(wgpu::FragmentState {
+                module: &module,
+                entry_point: Some("fragment_main"),
+                compilation_options: Default::default(),
+                targets: &[Some(wgpu::ColorTargetState {
+                    format,
+                    blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+                    write_mask: wgpu::ColorWrites::ALL,
+                })],
+            }),
+            multiview_mask: None,
+            cache: None,
+        });
+        Self { pipeline, layout }
+    }
+
+    /// Makes a slot bound to a table.
+    pub fn slot(&self, device: &wgpu::Device, table: &TableTexture) -> SphereSlot {
+        let uniform = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("sphere"),
+            size: size_of::<SphereUniform>() as u64,
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("sphere"),
+            layout: &self.layout,
+            entries: &[
+                wgpu::BindGroupEntry { binding: 0, resource: uniform.as_entire_binding() },
+                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&table.view) },
+            ],
+        });
+        SphereSlot { uniform, bind_group }
+    }
+
+    /// Draws a slot over the whole viewport of a pass.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, slot: &SphereSlot) {
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &slot.bind_group, &[]);
+        pass.draw(0..4, 0..1);
+    }
+}
+
+impl SphereSlot {
+    /// Gives the slot its numbers for the next draw.
+    pub fn write(&self, queue: &wgpu::Queue, uniform: &SphereUniform) {
+        queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(uniform));
+    }
+}
