@@ -11,7 +11,11 @@
 //! Conventions: z = n; `wi` to the light, `wo` to the viewer, unit vectors; radians inside, degrees on screen;
 //! f_r in 1/sr without the cosine; RGB linear; an invalid cell has no value and is never 0.
 
+pub mod app;
 pub mod brdf;
+pub mod figure;
+pub mod files;
 pub mod fit;
 pub mod geom;
+pub mod gpu;
 pub mod measured;

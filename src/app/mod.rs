@@ -106,7 +106,8 @@ impl App {
             .size_range(260.0..=520.0)
             .show(ui, |ui| model::model_ui(ui, state, out));
         let tiles = &mut self.tiles;
-        egui::CentralPanel::no_frame().show(ui, |ui| tiles.ui(ui, state, out));
+        let ground = egui::Frame::NONE.fill(ui.visuals().panel_fill);
+        egui::CentralPanel::no_frame().frame(ground).show(ui, |ui| tiles.ui(ui, state, out));
         notices::notices_ui(ui.ctx(), state, out);
         dialogs::dialog_ui(ui.ctx(), state, &self.adapter, out);
     }
@@ -126,7 +127,6 @@ impl eframe::App for App {
         let mut out: Vec<Msg> = self.inbox.try_iter().collect();
         shortcuts(&ctx, &self.state, &mut out);
         dropped_files(&ctx, &mut out);
-        tasks::receive_picture(&ctx, &self.outbox);
         self.panels_ui(ui, &mut out);
         let changed = !out.is_empty();
         for msg in out {
@@ -169,7 +169,7 @@ fn shortcuts(ctx: &egui::Context, state: &State, out: &mut Vec<Msg>) {
 fn dropped_files(ctx: &egui::Context, out: &mut Vec<Msg>) {
     let (paths, hovering) = ctx.input(|input| {
         let dropped = &input.raw.dropped_files;
-        let paths: Vec<PathBuf> = dropped.iter().filter_map(|file| file.path.clone()).collect();
+        let paths: Vec<PathBuf> = dropped.iter().map(|file| file.path().to_path_buf()).collect();
         (paths, !input.raw.hovered_files.is_empty())
     });
     if !paths.is_empty() {

@@ -8,13 +8,15 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
 
+type SavePicker = dyn Fn(&str) -> Option<PathBuf> + Send + Sync;
+
 /// How a person is asked for files; a test hands its own.
 #[derive(Clone)]
 pub struct Picker {
     /// Asks for files to open; empty where cancelled.
     pub open: Arc<dyn Fn() -> Vec<PathBuf> + Send + Sync>,
     /// Asks where to write, given a proposed name.
-    pub save: Arc<dyn Fn(&str) -> Option<PathBuf> + Send + Sync>,
+    pub save: Arc<SavePicker>,
 }
 
 impl Picker {
@@ -57,9 +59,9 @@ pub fn start(task: Task, ctx: &egui::Context, outbox: &Outbox, queue: &Queue, pi
             });
         }
         Task::SavePicture => {
-            // The picture comes as an event of a later frame.
-            let save = SaveTo(Arc::clone(&picker.save));
-            ctx.send_viewport_cmd(egui::ViewportCommand::Screenshot(egui::UserData::new(save)));
+            let (outbox, save) = (outbox.clone(), Arc::clone(&picker.save));
+            let arrived = move |picture| save_picture(picture, outbox, save);
+            ctx.send_viewport_cmd(egui::ViewportCommand::Screenshot(egui::ScreenshotCallback::new(arrived)));
         }
         Task::Copy(text) => ctx.copy_text(text),
         Task::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
@@ -68,25 +70,11 @@ pub fn start(task: Task, ctx: &egui::Context, outbox: &Outbox, queue: &Queue, pi
     }
 }
 
-/// Travels with the request for a picture to its arrival.
-struct SaveTo(Arc<dyn Fn(&str) -> Option<PathBuf> + Send + Sync>);
-
-/// Takes the pictures that have arrived, asks where to, and writes them.
-pub fn receive_picture(ctx: &egui::Context, outbox: &Outbox) {
-    let arrived = ctx.input(|input| {
-        input.events.iter().find_map(|event| match event {
-            egui::Event::Screenshot { user_data, image, .. } => {
-                let save = user_data.data.as_ref()?.downcast_ref::<SaveTo>()?;
-                Some((Arc::clone(image), Arc::clone(&save.0)))
-            }
-            _ => None,
-        })
-    });
-    let Some((picture, save)) = arrived else { return };
-    let sender = outbox.clone();
-    in_thread(outbox, "save dialog", move || {
+/// Asks where to, and writes the picture there.
+fn save_picture(picture: Arc<egui::ColorImage>, outbox: Outbox, save: Arc<SavePicker>) {
+    in_thread(&outbox.clone(), "save dialog", move || {
         let Some(path) = save("grazing.png") else { return };
-        sender.send(match write_png(&picture, &path) {
+        outbox.send(match write_png(&picture, &path) {
             Ok(()) => Msg::Notify(Level::Info, format!("Saved {}", path.display())),
             Err(reason) => Msg::Notify(Level::Error, reason),
         });

@@ -16,6 +16,7 @@ use std::sync::Arc;
 
 /// Something happened.
 #[derive(Debug)]
+#[expect(missing_docs, reason = "the line over each message names its fields")]
 pub enum Msg {
     /// A command was chosen in a menu, by its keys or in the palette.
     Run(Command),
@@ -76,6 +77,7 @@ impl Loaded {
 
 /// Something to be done outside the state.
 #[derive(Debug)]
+#[expect(missing_docs, reason = "the line over each task names its fields")]
 pub enum Task {
     /// Load a material in the background.
     Load { job: u64, origin: Origin, cancel: CancelFlag },

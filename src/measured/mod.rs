@@ -3,7 +3,13 @@
 //! A cell is *invalid* if any channel is negative or not finite. An invalid cell has no value; it is never shown as 0.
 
 pub mod grid;
+pub mod lookup;
+pub mod merl;
+pub mod stats;
+pub mod samples;
 pub mod table;
 
 pub use grid::Grid;
+pub use lookup::Lookup;
+pub use stats::ChannelStats;
 pub use table::Table;

@@ -47,7 +47,7 @@ fn material_ui(ui: &mut egui::Ui, state: &State, index: usize, out: &mut Vec<Msg
         let (dot, _) = ui.allocate_exact_size(egui::vec2(10.0, 18.0), egui::Sense::hover());
         ui.painter().circle_filled(dot.center(), 4.5, paint::series_color(ui.visuals().dark_mode, index));
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let close = ui.add(egui::Button::new("✕").small().frame(false));
+            let close = ui.add(egui::Button::new("×").small().frame(false));
             close.widget_info(|| {
                 egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Close {}", material.name))
             });

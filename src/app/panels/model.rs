@@ -121,8 +121,7 @@ fn param_ui(ui: &mut egui::Ui, scene: &Scene, brdf: &Brdf, row: &Param, out: &mu
             }
             let mut value = values[channel.unwrap_or(0)];
             let before = value;
-            let response = slider_ui(ui, row, &mut value);
-            response.labelled_by(name.response.id);
+            let response = slider_ui(ui, row, &mut value).labelled_by(name.response.id);
             // Named for screen readers and tests.
             ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(label.as_str()));
             if value != before {

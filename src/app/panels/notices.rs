@@ -31,7 +31,7 @@ pub fn notices_ui(ctx: &egui::Context, state: &State, out: &mut Vec<Msg>) {
                             ui.set_width(WIDTH - 80.0);
                             ui.add(egui::Label::new(notice.text.as_str()).wrap());
                         });
-                        let close = ui.small_button("✕");
+                        let close = ui.small_button("×");
                         close.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, "Close notice"));
                         if close.clicked() {
                             out.push(Msg::Dismiss(notice.id));

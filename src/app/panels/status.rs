@@ -23,7 +23,7 @@ pub fn status_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
 
 fn jobs_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     let Some(job) = state.jobs.first() else { return };
-    let cancel = ui.small_button("✕").on_hover_text("Stop");
+    let cancel = ui.small_button("×").on_hover_text("Stop");
     cancel.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, "Stop opening"));
     if cancel.clicked() {
         out.push(Msg::Cancel(job.id));

@@ -8,6 +8,7 @@ use crate::app::update::Msg;
 use crate::brdf::Brdf;
 use crate::figure::lobes::{CHANNELS, Curve, LobePlot, LobeSpec};
 use crate::figure::scale::RADIAL_SCALES;
+use crate::figure::text::RichText;
 use crate::geom::{Cosines, Rgb, direction};
 use egui::{CursorIcon, PointerButton, Sense, Vec2};
 use glam::DVec3;
@@ -82,7 +83,8 @@ fn toolbar_ui(ui: &mut egui::Ui, tile: &LobeTile, out: &mut Vec<Msg>) {
             }
         }
         ui.separator();
-        ui.label("θi");
+        let theta_i = RichText::parse("θ_{i}");
+        ui.label(paint::rich_text_job(&theta_i, 14.0, ui.visuals().text_color()));
         for (index, theta_i) in tile.theta_i.iter().enumerate() {
             let mut degrees = theta_i.to_degrees();
             let drag = egui::DragValue::new(&mut degrees).speed(0.2).range(0.0..=MAX_THETA_I).suffix("°").fixed_decimals(0);

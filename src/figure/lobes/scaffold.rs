@@ -64,14 +64,14 @@ fn shade_grazing(drawing: &mut Drawing, frame: &LobeFrame, roomy: bool) {
         if roomy {
             let at = frame.at(side * 85f64.to_radians(), 0.995);
             let anchor = [0.5 + 0.5 * side as f32, 0.5];
-            drawing.text(at, anchor, LABEL - 1.5, "> 80° ", Role::Muted.with_opacity(0.9));
+            drawing.text(at, anchor, LABEL - 1.5, " > 80° ", Role::Muted.with_opacity(0.9));
         }
     }
 }
 
 fn draw_surface(drawing: &mut Drawing, frame: &LobeFrame) {
     let [x, y] = frame.origin;
-    let half = frame.radius + 8.0;
+    let half = frame.radius;
     drawing.line(vec![[x - half, y], [x + half, y]], 1.5, Role::Foreground.with_opacity(0.8));
 }
 
@@ -162,7 +162,7 @@ pub(super) fn draw_lobe_names(drawing: &mut Drawing, frame: &LobeFrame, spec: &L
             .max_by(|a, b| a.1.total_cmp(&b.1));
         let Some((theta_o, value)) = highest else { continue };
         let length = spec.scale.length(value, frame.limit).min(1.0) as f32;
-        let at = frame.at(theta_o, (length + 15.0 / frame.radius).min(0.93));
+        let at = frame.at(theta_o, (length + 15.0 / frame.radius).min(1.0 - 30.0 / frame.radius));
         let free = taken.iter().all(|other| (other[0] - at[0]).hypot(other[1] - at[1]) > 26.0);
         if free && length > 0.15 {
             let label = format!("{:.0}°", theta_i.to_degrees());
