@@ -114,7 +114,7 @@ fn files_stay_short_enough_to_read() {
 
 #[test]
 fn a_planted_arrow_backwards_is_caught() {
-    let rule = |module| RULES.iter().find(|rule| rule.module == module).expect("a rule");
+    let rule = |module: &str| RULES.iter().find(|rule| rule.module == module).expect("a rule");
     let caught = |module: &str, text: &str| !complaints(rule(module), "planted.rs", text).is_empty();
     assert!(caught("geom", "use crate::brdf::Model;"));
     assert!(caught("measured", "fn f() { crate::app::run(); }"));

@@ -9,7 +9,7 @@
 //! condensed towards the plane of incidence.
 
 use super::{Model, Param, Params, params};
-use crate::geom::{Cosines, cosines::pow_versine};
+use crate::geom::Cosines;
 use std::f64::consts::PI;
 
 pub(super) static MODEL: Model = Model {
@@ -34,5 +34,5 @@ const S: Param = Param {
 };
 
 fn lobe(p: &Params, c: &Cosines) -> f64 {
-    pow_versine(c.versine_h, p.s)
+    c.wh_n.pow(p.s)
 }

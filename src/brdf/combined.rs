@@ -11,7 +11,7 @@
 //! highlight at grazing angles and leaves the one seen from above.
 
 use super::{Model, Params, params};
-use crate::geom::{Cosines, cosines::pow_versine};
+use crate::geom::{Cosine, Cosines};
 
 pub(super) static MODEL: Model = Model {
     key: "combined",
@@ -33,8 +33,11 @@ pub(super) static MODEL: Model = Model {
 };
 
 fn lobe(p: &Params, c: &Cosines) -> f64 {
-    let blend = (1.0 - p.alpha) * c.versine_r + p.alpha * versine_pow4(c.versine_h);
-    pow_versine(blend.min(1.0), p.s)
+    Cosine {
+        cos: (1.0 - p.alpha) * c.wr_wo.cos + p.alpha * c.wh_n.cos.powi(4),
+        versine: (1.0 - p.alpha) * c.wr_wo.versine + p.alpha * versine_pow4(c.wh_n.versine),
+    }
+    .pow(p.s)
 }
 
 /// 1 − cos⁴ from 1 − cos, without cancellation.

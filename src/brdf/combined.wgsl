@@ -5,6 +5,10 @@ fn versine_pow4(x: f32) -> f32 {
 }
 
 fn lobe_combined(p: Params, c: Cosines) -> f32 {
-    let blend = (1.0 - p.alpha) * c.versine_r + p.alpha * versine_pow4(c.versine_h);
-    return pow_versine(min(blend, 1.0), p.s);
+    let h2 = c.wh_n.cos * c.wh_n.cos;
+    let blend = Cosine(
+        (1.0 - p.alpha) * c.wr_wo.cos + p.alpha * h2 * h2,
+        (1.0 - p.alpha) * c.wr_wo.versine + p.alpha * versine_pow4(c.wh_n.versine),
+    );
+    return pow_cosine(blend, p.s);
 }

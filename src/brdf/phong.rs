@@ -9,7 +9,7 @@
 //! stretches into a broad band.
 
 use super::{Model, Params, params};
-use crate::geom::{Cosines, cosines::pow_versine};
+use crate::geom::Cosines;
 use std::f64::consts::PI;
 
 pub(super) static MODEL: Model = Model {
@@ -26,5 +26,5 @@ pub(super) static MODEL: Model = Model {
 };
 
 fn lobe(p: &Params, c: &Cosines) -> f64 {
-    pow_versine(c.versine_r, p.s)
+    c.wr_wo.pow(p.s)
 }

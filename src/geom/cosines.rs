@@ -4,20 +4,49 @@ use super::directions::{NORMAL, mirror};
 use super::half_diff::half_vector;
 use glam::DVec3;
 
-/// What a reflection model needs to know of (wi, wo).
+/// A cosine clamped at 0, with its versine 1 − cos beside it.
 ///
-/// wr·wo and wh·n are kept as versines, 1 − cos, since a glossy lobe lives where the cosine rounds to 1:
-/// with s = 100,000 a cosine in f32 is off by 1 % of the lobe, its versine by 0.001 %.
+/// A glossy lobe lives where the cosine rounds to 1: with s = 100,000 a cosine in f32 is off by 1 % of the lobe, its
+/// versine by 0.001 %. Where the cosine is small it is the other way round.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cosine {
+    /// In [0, 1].
+    pub cos: f64,
+    /// 1 − cos, in [0, 1].
+    pub versine: f64,
+}
+
+impl Cosine {
+    /// Of the angle between unit vectors; the versine from their chord: |a − b|² = 2 − 2 a·b.
+    fn between(a: DVec3, b: DVec3) -> Self {
+        Self {
+            cos: a.dot(b).max(0.0),
+            versine: (0.5 * (a - b).length_squared()).min(1.0),
+        }
+    }
+
+    /// cos^exponent for exponent > 0, by whichever of the two is exact.
+    pub fn pow(self, exponent: f64) -> f64 {
+        let ln = if self.versine < 0.5 {
+            (-self.versine).ln_1p()
+        } else {
+            self.cos.ln()
+        };
+        (exponent * ln).exp()
+    }
+}
+
+/// What a reflection model needs to know of (wi, wo).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cosines {
     /// wi·n, not clamped: negative below the horizon.
     pub cos_theta_i: f64,
     /// wo·n, not clamped: negative below the horizon.
     pub cos_theta_o: f64,
-    /// 1 − max(wr·wo, 0), in [0, 1].
-    pub versine_r: f64,
-    /// 1 − max(wh·n, 0), in [0, 1].
-    pub versine_h: f64,
+    /// wr·wo.
+    pub wr_wo: Cosine,
+    /// wh·n.
+    pub wh_n: Cosine,
     /// max(wi·wh, 0) = cos θd, in [0, 1].
     pub wi_dot_wh: f64,
 }
@@ -29,8 +58,8 @@ impl Cosines {
         Self {
             cos_theta_i: wi.z,
             cos_theta_o: wo.z,
-            versine_r: versine(mirror(wi), wo),
-            versine_h: versine(wh, NORMAL),
+            wr_wo: Cosine::between(mirror(wi), wo),
+            wh_n: Cosine::between(wh, NORMAL),
             wi_dot_wh: wi.dot(wh).max(0.0),
         }
     }
@@ -39,16 +68,6 @@ impl Cosines {
     pub fn above_horizon(&self) -> bool {
         self.cos_theta_i >= 0.0 && self.cos_theta_o >= 0.0
     }
-}
-
-/// 1 − max(a·b, 0) of unit vectors, from their chord: |a − b|² = 2 − 2 a·b.
-fn versine(a: DVec3, b: DVec3) -> f64 {
-    (0.5 * (a - b).length_squared()).min(1.0)
-}
-
-/// cos^exponent from the versine 1 − cos; 0 at cos = 0 for every exponent > 0.
-pub fn pow_versine(versine: f64, exponent: f64) -> f64 {
-    (exponent * (-versine).ln_1p()).exp()
 }
 
 #[cfg(test)]
@@ -67,22 +86,26 @@ mod tests {
             let (wi, wo) = (direction(theta_i, 0.0), direction(theta_o, phi_o));
             let c = Cosines::from_directions(wi, wo);
             let wr = 2.0 * wi.dot(NORMAL) * NORMAL - wi;
-            assert!((1.0 - c.versine_r - wr.dot(wo).max(0.0)).abs() < 1e-15);
-            assert!((1.0 - c.versine_h - (wi + wo).normalize().z).abs() < 1e-15);
+            assert!((1.0 - c.wr_wo.versine - c.wr_wo.cos).abs() < 1e-15);
+            assert!((c.wr_wo.cos - wr.dot(wo).max(0.0)).abs() < 1e-15);
+            assert!((1.0 - c.wh_n.versine - (wi + wo).normalize().z).abs() < 1e-15);
+            assert!((1.0 - c.wh_n.versine - c.wh_n.cos).abs() < 1e-15);
         }
     }
 
     #[test]
-    fn powers_from_the_versine_equal_powers_of_the_cosine() {
+    fn powers_equal_powers_of_the_cosine() {
         for cos in [1.0, 0.999, 0.5, 0.01] {
             for exponent in [0.1, 1.0, 50.0] {
-                let (a, b) = (pow_versine(1.0 - cos, exponent), f64::powf(cos, exponent));
+                let a = Cosine { cos, versine: 1.0 - cos }.pow(exponent);
+                let b = f64::powf(cos, exponent);
                 assert!(
                     (a - b).abs() <= 1e-12 * b.abs(),
                     "{cos}^{exponent}: {a} {b}"
                 );
             }
         }
-        assert_eq!(pow_versine(1.0, 0.1), 0.0);
+        let right_angle = Cosine { cos: 0.0, versine: 1.0 };
+        assert_eq!(right_angle.pow(0.1), 0.0);
     }
 }

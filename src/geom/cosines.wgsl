@@ -1,10 +1,15 @@
 // Twin of cosines.rs. Directions are unit vectors in the local frame, z = n.
 
+struct Cosine {
+    cos: f32,
+    versine: f32,
+}
+
 struct Cosines {
     cos_theta_i: f32,
     cos_theta_o: f32,
-    versine_r: f32,
-    versine_h: f32,
+    wr_wo: Cosine,
+    wh_n: Cosine,
     wi_dot_wh: f32,
 }
 
@@ -17,9 +22,9 @@ fn half_vector(wi: vec3f, wo: vec3f) -> vec3f {
     return sum * inverseSqrt(squared);
 }
 
-fn versine(a: vec3f, b: vec3f) -> f32 {
+fn cosine_between(a: vec3f, b: vec3f) -> Cosine {
     let chord = a - b;
-    return min(0.5 * dot(chord, chord), 1.0);
+    return Cosine(max(dot(a, b), 0.0), min(0.5 * dot(chord, chord), 1.0));
 }
 
 fn cosines_from_directions(wi: vec3f, wo: vec3f) -> Cosines {
@@ -28,13 +33,13 @@ fn cosines_from_directions(wi: vec3f, wo: vec3f) -> Cosines {
     return Cosines(
         wi.z,
         wo.z,
-        versine(wr, wo),
-        versine(wh, vec3f(0.0, 0.0, 1.0)),
+        cosine_between(wr, wo),
+        cosine_between(wh, vec3f(0.0, 0.0, 1.0)),
         max(dot(wi, wh), 0.0),
     );
 }
 
-// ln(1 − x) for x in [0, 1). WGSL has no log1p; the series takes over where 1 − x would round.
+// ln(1 − x) for x in [0, 0.5]. WGSL has no log1p; the series takes over where 1 − x would round.
 fn ln_one_minus(x: f32) -> f32 {
     if x < 0.06 {
         return -x * (1.0 + x * (0.5 + x * (1.0 / 3.0 + x * (0.25 + x * 0.2))));
@@ -42,10 +47,15 @@ fn ln_one_minus(x: f32) -> f32 {
     return log(1.0 - x);
 }
 
-fn pow_versine(versine: f32, exponent: f32) -> f32 {
-    if versine >= 1.0 {
+fn pow_cosine(c: Cosine, exponent: f32) -> f32 {
+    var ln = 0.0;
+    if c.versine < 0.5 {
+        ln = ln_one_minus(c.versine);
+    } else if c.cos > 0.0 {
+        ln = log(c.cos);
+    } else {
         return 0.0;
     }
     // exp underflows to 0 below −87; the clamp keeps drivers from making an inf on the way.
-    return exp(max(exponent * ln_one_minus(versine), -100.0));
+    return exp(max(exponent * ln, -100.0));
 }

@@ -1,6 +1,6 @@
 //! Half and difference angles [Rusinkiewicz98], the coordinates of isotropic measurements.
 
-use super::cosines::Cosines;
+use super::cosines::{Cosine, Cosines};
 use super::directions::{NORMAL, theta, wrap};
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
@@ -75,8 +75,14 @@ impl HalfDiff {
         Cosines {
             cos_theta_i,
             cos_theta_o,
-            versine_r: (1.0 - wr_dot_wo).clamp(0.0, 1.0),
-            versine_h: (2.0 * (0.5 * self.theta_h).sin().powi(2)).min(1.0),
+            wr_wo: Cosine {
+                cos: wr_dot_wo.clamp(0.0, 1.0),
+                versine: (1.0 - wr_dot_wo).clamp(0.0, 1.0),
+            },
+            wh_n: Cosine {
+                cos: cos_h.max(0.0),
+                versine: (2.0 * (0.5 * self.theta_h).sin().powi(2)).min(1.0),
+            },
             wi_dot_wh: cos_d.max(0.0),
         }
     }
@@ -143,8 +149,8 @@ mod tests {
             let (a, b) = (angles.cosines(), Cosines::from_directions(wi, wo));
             prop_assert!((a.cos_theta_i - b.cos_theta_i).abs() < 1e-12);
             prop_assert!((a.cos_theta_o - b.cos_theta_o).abs() < 1e-12);
-            prop_assert!((a.versine_r - b.versine_r).abs() < 1e-12);
-            prop_assert!((a.versine_h - b.versine_h).abs() < 1e-12);
+            prop_assert!((a.wr_wo.versine - b.wr_wo.versine).abs() < 1e-12);
+            prop_assert!((a.wh_n.versine - b.wh_n.versine).abs() < 1e-12);
             prop_assert!((a.wi_dot_wh - b.wi_dot_wh).abs() < 1e-12);
         }
     }

@@ -8,7 +8,7 @@ pub mod cosines;
 pub mod directions;
 pub mod half_diff;
 
-pub use cosines::Cosines;
+pub use cosines::{Cosine, Cosines};
 pub use directions::{direction, mirror};
 pub use half_diff::HalfDiff;
 

@@ -21,10 +21,26 @@ pub struct SphereUniform {
     smoothly: u32,
     split: f32,
     radius_px: f32,
-    hatch: [[f32; 4]; 2],
+    hatch_dark: [f32; 4],
+    hatch_light: [f32; 4],
 }
 
 impl SphereUniform {
+    /// Name and offset of every member, for the test that holds them against the shader.
+    pub fn offsets() -> [(&'static str, usize); 8] {
+        use std::mem::offset_of;
+        [
+            ("brdf", offset_of!(Self, brdf)),
+            ("lights", offset_of!(Self, lights)),
+            ("light_count", offset_of!(Self, light_count)),
+            ("smoothly", offset_of!(Self, smoothly)),
+            ("split", offset_of!(Self, split)),
+            ("radius_px", offset_of!(Self, radius_px)),
+            ("hatch_dark", offset_of!(Self, hatch_dark)),
+            ("hatch_light", offset_of!(Self, hatch_light)),
+        ]
+    }
+
     /// The numbers of one sphere of `radius_px` pixels. Left of `split` (in units of the radius) is the table.
     pub fn new(view: &SphereView, brdf: &Brdf, lookup: Lookup, split: f64, radius_px: f32) -> Self {
         let mut lights = [[[0.0; 4]; 2]; MAX_LIGHTS];
@@ -41,7 +57,8 @@ impl SphereUniform {
             // Infinities are not for shaders.
             split: split.clamp(-2.0, 2.0) as f32,
             radius_px: radius_px.max(1.0),
-            hatch: HATCH,
+            hatch_dark: HATCH[0],
+            hatch_light: HATCH[1],
         }
     }
 }

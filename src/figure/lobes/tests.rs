@@ -8,7 +8,7 @@ const SIZE: [f32; 2] = [640.0, 400.0];
 /// A closed form: f = 0.1 + (wr·wo)^20.
 fn closed_form(wi: DVec3, wo: DVec3) -> Option<Rgb> {
     let c = Cosines::from_directions(wi, wo);
-    Some([0.1 + (1.0 - c.versine_r).powi(20); 3])
+    Some([0.1 + c.wr_wo.cos.powi(20); 3])
 }
 
 fn lines_of_series(plot: &LobePlot) -> Vec<&Vec<Point>> {
@@ -79,7 +79,7 @@ fn where_nothing_was_measured_there_is_a_gap() {
 fn narrow_lobes_keep_their_peak() {
     let narrow = |wi: DVec3, wo: DVec3| {
         let c = Cosines::from_directions(wi, wo);
-        Some([crate::geom::cosines::pow_versine(c.versine_r, 1e5); 3])
+        Some([c.wr_wo.pow(1e5); 3])
     };
     let curve = Curve { label: "f".into(), dashed: false, series: 0, f_r: &narrow };
     let spec = LobeSpec { theta_i: vec![0.7123], ..LobeSpec::default() };

@@ -1,0 +1,139 @@
+//! The sphere as a picture against the definitions, pixel by pixel.
+
+mod common;
+
+use common::{Random, gpu};
+use grazing::brdf::fresnel::Fresnel;
+use grazing::brdf::{Brdf, MODELS, Params};
+use grazing::geom::color::srgb_bytes;
+use grazing::geom::Cosines;
+use grazing::gpu::adapter::Gpu;
+use grazing::gpu::offscreen;
+use grazing::gpu::sphere::{SphereView, local_directions};
+use grazing::gpu::sphere_pass::{SpherePass, SphereUniform};
+use grazing::gpu::table_texture::TableTexture;
+use grazing::measured::lookup::Lookup;
+use grazing::measured::{Grid, Table};
+use image::RgbaImage;
+use std::f64::consts::PI;
+
+const SIZE: u32 = 200;
+
+fn brdf() -> Brdf {
+    let params = Params { rho_d: [0.5, 0.2, 0.1], k_s: [8.0; 3], s: 30.0, alpha: 0.4, eta: 1.5 };
+    Brdf { model: MODELS[2], fresnel: Fresnel::Exact, params }
+}
+
+fn picture(gpu: &Gpu, table: &TableTexture, split: f64, lookup: Lookup) -> RgbaImage {
+    let pass = SpherePass::new(&gpu.device, offscreen::FORMAT);
+    let slot = pass.slot(&gpu.device, table);
+    let radius = 0.5 * SIZE as f32;
+    slot.write(&gpu.queue, &SphereUniform::new(&SphereView::default(), &brdf(), lookup, split, radius));
+    offscreen::render(gpu, SIZE, |render_pass| pass.draw(render_pass, &slot)).expect("a picture")
+}
+
+/// A pixel's place in units of the radius; the draw leaves one pixel around the sphere.
+fn place(x: u32, y: u32) -> (f64, f64) {
+    let half = 0.5 * f64::from(SIZE);
+    let stretch = 1.0 + 2.0 / half;
+    let unit = |k: u32| (f64::from(k) + 0.5 - half) / half * stretch;
+    (unit(x), -unit(y))
+}
+
+/// Written from the definitions: the sum of f_r cos θi E over the lights, with E = π at strength 1.
+fn expected(x: f64, y: f64, gain: f64) -> [u8; 3] {
+    let mut radiance = [0.0; 3];
+    for light in SphereView::default().lights {
+        let (wi, wo) = local_directions(x, y, &light).expect("on the sphere");
+        let c = Cosines::from_directions(wi, wo);
+        if c.cos_theta_i > 0.0 {
+            for (total, f_r) in radiance.iter_mut().zip(brdf().eval(&c)) {
+                *total += gain * PI * f_r * c.cos_theta_i;
+            }
+        }
+    }
+    srgb_bytes(radiance)
+}
+
+fn worst_distance(picture: &RgbaImage, gain: f64) -> u8 {
+    let mut random = Random(5);
+    let mut worst = 0;
+    for _ in 0..800 {
+        let (px, py) = ((random.unit() * f64::from(SIZE)) as u32, (random.unit() * f64::from(SIZE)) as u32);
+        let (x, y) = place(px, py);
+        if x.hypot(y) > 0.97 {
+            continue;
+        }
+        let pixel = picture.get_pixel(px, py);
+        for (shown, wanted) in pixel.0.iter().zip(expected(x, y, gain)) {
+            worst = worst.max(shown.abs_diff(wanted));
+        }
+    }
+    worst
+}
+
+#[test]
+fn the_models_sphere_is_the_definition() {
+    let Some(gpu) = gpu() else { return };
+    let none = TableTexture::empty(&gpu.device, &gpu.queue);
+    let picture = picture(&gpu, &none, -2.0, Lookup::Smooth);
+    assert!(worst_distance(&picture, 1.0) <= 1, "{}", worst_distance(&picture, 1.0));
+    assert!(worst_distance(&picture, 1.03) > 1, "3 % more light went unnoticed");
+    assert_eq!(picture.get_pixel(0, 0).0, [0; 4], "outside is transparent");
+    assert_eq!(picture.get_pixel(SIZE / 2, SIZE / 2).0[3], 255);
+}
+
+/// The model as a table; cells with θ_i or θ_o past `limit` are unmeasured.
+fn table(limit: f64) -> Table {
+    let grid = Grid::FOLDED;
+    let cells = (0..grid.len()).map(|index| {
+        let (h, d, phi) = grid.bins(index);
+        let c = grid.center(h, d, phi).cosines();
+        let measured = c.cos_theta_i.min(c.cos_theta_o) >= limit;
+        if measured { brdf().eval(&c).map(|x| x as f32) } else { [-1.0; 3] }
+    });
+    Table::new(grid, cells.collect())
+}
+
+#[test]
+fn the_split_shows_the_table_left_and_the_model_right() {
+    let Some(gpu) = gpu() else { return };
+    // All cells hold a value here, also below the horizon.
+    let texture = TableTexture::upload(&gpu.device, &gpu.queue, &table(-1.0));
+    let split = picture(&gpu, &texture, 0.0, Lookup::Smooth);
+    let model = picture(&gpu, &texture, -2.0, Lookup::Smooth);
+    let measured = picture(&gpu, &texture, 2.0, Lookup::Smooth);
+    for (x, y, pixel) in split.enumerate_pixels() {
+        let side = if place(x, y).0 < 0.0 { &measured } else { &model };
+        assert_eq!(pixel, side.get_pixel(x, y));
+    }
+    // The table interpolates the model within a few steps of 255, away from the highlight's flank.
+    let close = measured.pixels().zip(model.pixels()).filter(|(a, b)| a.0.iter().zip(b.0).all(|(a, b)| a.abs_diff(b) <= 3));
+    assert!(close.count() > (SIZE * SIZE) as usize * 95 / 100);
+    assert_ne!(measured, picture(&gpu, &texture, 2.0, Lookup::Nearest));
+}
+
+#[test]
+fn unmeasured_directions_are_hatched_not_black() {
+    let Some(gpu) = gpu() else { return };
+    let texture = TableTexture::upload(&gpu.device, &gpu.queue, &table(0.5));
+    let picture = picture(&gpu, &texture, 2.0, Lookup::Smooth);
+    let mut hatched = 0;
+    for (px, py, pixel) in picture.enumerate_pixels() {
+        let (x, y) = place(px, py);
+        if x.hypot(y) > 0.97 {
+            continue;
+        }
+        let unmeasured = SphereView::default().lights.iter().any(|light| {
+            let (wi, wo) = local_directions(x, y, light).expect("on the sphere");
+            wi.z > 0.01 && wi.z.min(wo.z) < 0.48
+        });
+        if unmeasured {
+            let [r, g, b, a] = pixel.0;
+            // The two greys of the hatch: nothing of the reddish material, nothing near black.
+            assert!(r.abs_diff(g) < 4 && b >= r && r > 80 && a == 255, "({px}, {py}) {pixel:?}");
+            hatched += 1;
+        }
+    }
+    assert!(hatched > 1000, "the planted gap covers {hatched} pixels");
+}
