@@ -1,4 +1,5 @@
 //! What the tests on the graphics adapter share.
+#![allow(dead_code, reason = "every test uses its own part of this")]
 
 use grazing::gpu::adapter::{Gpu, headless};
 use grazing::gpu::table_texture::TableTexture;
@@ -96,4 +97,22 @@ impl Random {
     pub fn log_between(&mut self, low: f64, high: f64) -> f64 {
         self.between(low.ln(), high.ln()).exp()
     }
+}
+
+/// Writes a small made-up material in MERL layout: a grey diffuse one, unmeasured below the horizon.
+pub fn write_merl(path: &std::path::Path) {
+    let grid = grazing::measured::Grid::FOLDED;
+    let mut bytes = Vec::with_capacity(34_992_012);
+    for n in [90i32, 90, 180] {
+        bytes.extend(n.to_le_bytes());
+    }
+    for scale in [1.0, 1.15, 1.66] {
+        for index in 0..grid.len() {
+            let (h, d, phi) = grid.bins(index);
+            let c = grid.center(h, d, phi).cosines();
+            let stored: f64 = if c.above_horizon() { 0.1 * 1500.0 / scale } else { -1.0 };
+            bytes.extend(stored.to_le_bytes());
+        }
+    }
+    std::fs::write(path, bytes).expect("written");
 }

@@ -2,7 +2,7 @@
 
 use crate::app::state::{Level, State};
 use crate::app::update::Msg;
-use egui::{Align2, Area, Color32, Frame, Id, Order, RichText};
+use egui::{Align2, Area, Frame, Id, Order, RichText};
 
 const WIDTH: f32 = 420.0;
 /// Older ones wait until there is room.
@@ -23,10 +23,10 @@ pub fn notices_ui(ctx: &egui::Context, state: &State, out: &mut Vec<Msg>) {
                     ui.set_width(WIDTH - 16.0);
                     ui.horizontal_top(|ui| {
                         let (mark, color) = match notice.level {
-                            Level::Info => ("ℹ", ui.visuals().hyperlink_color),
-                            Level::Error => ("⚠", error_color(ui)),
+                            Level::Info => ("i", ui.visuals().hyperlink_color),
+                            Level::Error => ("!", ui.visuals().error_fg_color),
                         };
-                        ui.label(RichText::new(mark).color(color).size(16.0));
+                        ui.label(RichText::new(mark).color(color).strong().size(17.0));
                         ui.vertical(|ui| {
                             ui.set_width(WIDTH - 80.0);
                             ui.add(egui::Label::new(notice.text.as_str()).wrap());
@@ -40,8 +40,4 @@ pub fn notices_ui(ctx: &egui::Context, state: &State, out: &mut Vec<Msg>) {
                 });
             }
         });
-}
-
-fn error_color(ui: &egui::Ui) -> Color32 {
-    ui.visuals().error_fg_color
 }

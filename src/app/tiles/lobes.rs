@@ -104,11 +104,13 @@ fn toolbar_ui(ui: &mut egui::Ui, tile: &LobeTile, out: &mut Vec<Msg>) {
         }
         ui.separator();
         let mut channel = tile.channel;
-        egui::ComboBox::from_id_salt("channel").width(92.0).selected_text(channel.name()).show_ui(ui, |ui| {
+        let menu = egui::ComboBox::from_id_salt("channel").width(92.0).selected_text(channel.name());
+        let menu = menu.show_ui(ui, |ui| {
             for choice in CHANNELS {
                 ui.selectable_value(&mut channel, choice, choice.name());
             }
         });
+        ui.ctx().accesskit_node_builder(menu.response.id, |node| node.set_label("Channel"));
         if channel != tile.channel {
             out.push(Msg::SetLobes(LobeTile { channel, ..tile.clone() }));
         }
@@ -154,7 +156,10 @@ fn interact(ui: &egui::Ui, response: &egui::Response, state: &State, plot: &Lobe
     let id = response.id.with("grabbed");
     let near = plot.frame.nearest_light(point, GRAB);
     if response.drag_started_by(PointerButton::Primary) {
-        ui.data_mut(|data| data.insert_temp(id, near));
+        // The pointer may have gone far between the press and the frame that calls it a drag.
+        let pressed = ui.input(|input| input.pointer.press_origin()).unwrap_or(pointer);
+        let taken = plot.frame.nearest_light((pressed - response.rect.min).into(), GRAB);
+        ui.data_mut(|data| data.insert_temp(id, taken));
     }
     if response.dragged_by(PointerButton::Primary) {
         if let Some(Some(index)) = ui.data(|data| data.get_temp::<Option<usize>>(id)) {

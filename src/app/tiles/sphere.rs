@@ -158,12 +158,16 @@ fn interact(ui: &egui::Ui, response: &egui::Response, tile: &SphereTile, spheres
     }) else {
         return;
     };
-    let on_split = split_line(sphere, tile)
-        .is_some_and(|x| (pointer.x - x).abs() < GRAB && sphere.rect.y_range().contains(pointer.y));
+    let on_split = |at: Pos2| {
+        split_line(sphere, tile).is_some_and(|x| (at.x - x).abs() < GRAB && sphere.rect.y_range().contains(at.y))
+    };
     let (x, y) = sphere.unit(pointer);
     let id = response.id.with("grabbed");
     if response.drag_started_by(egui::PointerButton::Primary) {
-        let grabbed = if on_split { Grabbed::Split } else { Grabbed::Light(nearest_light(tile, x, y)) };
+        // The pointer may have gone far between the press and the frame that calls it a drag.
+        let pressed = ui.input(|input| input.pointer.press_origin()).unwrap_or(pointer);
+        let (x, y) = sphere.unit(pressed);
+        let grabbed = if on_split(pressed) { Grabbed::Split } else { Grabbed::Light(nearest_light(tile, x, y)) };
         ui.data_mut(|data| data.insert_temp(id, grabbed));
     }
     if response.dragged_by(egui::PointerButton::Primary) {
@@ -183,7 +187,7 @@ fn interact(ui: &egui::Ui, response: &egui::Response, tile: &SphereTile, spheres
         out.push(Msg::SetSphere(SphereTile { show: tile.show, ..crate::app::state::Scene::default().sphere }));
     }
     if response.hovered() {
-        ui.ctx().set_cursor_icon(if on_split { CursorIcon::ResizeHorizontal } else { CursorIcon::Crosshair });
+        ui.ctx().set_cursor_icon(if on_split(pointer) { CursorIcon::ResizeHorizontal } else { CursorIcon::Crosshair });
         let light = tile.view.lights.get(nearest_light(tile, x, y));
         let probe = light.and_then(|light| local_directions(x, y, light)).map(|(wi, wo)| Probe { wi, wo });
         out.push(Msg::SetProbe(probe));
