@@ -83,7 +83,13 @@ impl App {
         &self.state
     }
 
-    fn handle(&mut self, ctx: &egui::Context, msg: Msg) {
+    /// Takes every tile away, so that the panels are left: what the benchmark of a frame compares with.
+    pub fn close_tiles(&mut self) {
+        self.tiles = Tiles::none();
+    }
+
+    /// Applies a message and starts what follows from it.
+    pub fn handle(&mut self, ctx: &egui::Context, msg: Msg) {
         for task in apply(&mut self.state, msg) {
             if let Task::ResetLayout = task {
                 self.tiles = Tiles::default();

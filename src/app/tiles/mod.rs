@@ -26,6 +26,11 @@ impl Default for Tiles {
 }
 
 impl Tiles {
+    /// No tile at all.
+    pub fn none() -> Self {
+        Self(Tree::empty(egui::Id::unique("tiles")))
+    }
+
     /// Draws them.
     pub fn ui(&mut self, ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
         self.0.ui(&mut View { state, out }, ui);
