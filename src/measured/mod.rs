@@ -7,7 +7,6 @@ pub mod lookup;
 pub mod merl;
 pub mod samples;
 pub mod stats;
-pub mod samples;
 pub mod table;
 
 pub use grid::Grid;
