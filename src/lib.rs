@@ -7,10 +7,16 @@
 //! | [`geom`] | directions, half/difference angles, colour | know egui, wgpu, files, threads, clock |
 //! | [`brdf`] | models and their parameters, as rows; WGSL twins | the same |
 //! | [`measured`] | tables on the MERL grid, lookup, layout, synthetic samples | the same |
+//! | [`files`] | opening materials and models, writing whole files | know egui, wgpu, threads |
+//! | [`app`] | the window | |
+//! | [`cli`] | the command line: the window, or the same work without one | know egui, wgpu |
 //!
 //! Conventions: z = n; `wi` to the light, `wo` to the viewer, unit vectors; radians inside, degrees on screen;
 //! f_r in 1/sr without the cosine; RGB linear; an invalid cell has no value and is never 0.
 
+pub mod app;
 pub mod brdf;
+pub mod cli;
+pub mod files;
 pub mod geom;
 pub mod measured;

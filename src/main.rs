@@ -1,1 +1,5 @@
-fn main() {}
+//! The program `grazing`: see [`grazing::cli`].
+
+fn main() -> std::process::ExitCode {
+    grazing::cli::main()
+}
