@@ -75,15 +75,27 @@ fn write_csv(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(out);
-    writer.write_record(directions.header.iter().chain(ADDED))?;
+    writer
+        .write_record(directions.header.iter().chain(ADDED))
+        .map_err(io_error)?;
     for ((row, ..), value) in directions.rows.iter().zip(values) {
         let added = match value {
             Some(f_r) => f_r.map(shortest),
             None => [const { String::new() }; 3],
         };
-        writer.write_record(row.iter().chain(added.iter().map(String::as_str)))?;
+        writer
+            .write_record(row.iter().chain(added.iter().map(String::as_str)))
+            .map_err(io_error)?;
     }
     writer.flush()
+}
+
+/// The error of the writer below; csv's own conversion hides its kind.
+fn io_error(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
+    }
 }
 
 /// An array of objects: the angles and f_r as numbers, r, g, b null where empty, other columns as texts.
