@@ -41,10 +41,18 @@ fn main() {
     let [panels, whole, bare] = times;
     let frame = |runs: &[Numbers]| median(runs.iter().map(|run| run.frame));
     let start = |runs: &[Numbers]| median(runs.iter().map(|run| run.start));
-    println!("frame while a slider is dragged: {:.1} ms with tiles, {:.1} ms panels alone, ratio {:.2} (goal ≤ 1.5)",
-        1e3 * frame(&whole), 1e3 * frame(&panels), frame(&whole) / frame(&panels));
-    println!("start to first frame: {:.0} ms, {:.0} ms a bare window, ratio {:.2} (goal ≤ 1.5)",
-        1e3 * start(&whole), 1e3 * start(&bare), start(&whole) / start(&bare));
+    println!(
+        "frame while a slider is dragged: {:.1} ms with tiles, {:.1} ms panels alone, ratio {:.2} (goal ≤ 1.5)",
+        1e3 * frame(&whole),
+        1e3 * frame(&panels),
+        frame(&whole) / frame(&panels)
+    );
+    println!(
+        "start to first frame: {:.0} ms, {:.0} ms a bare window, ratio {:.2} (goal ≤ 1.5)",
+        1e3 * start(&whole),
+        1e3 * start(&bare),
+        start(&whole) / start(&bare)
+    );
     let _ = server.kill();
     let _ = server.wait();
 }
@@ -72,10 +80,19 @@ fn measure(kind: &str, display: &str) -> Numbers {
         .stderr(Stdio::null())
         .spawn()
         .expect("a window");
-    let mut lines = BufReader::new(child.stdout.take().expect("piped")).lines().map_while(Result::ok);
-    assert_eq!(lines.next().as_deref(), Some("first frame"), "the {kind} window did not open");
+    let mut lines = BufReader::new(child.stdout.take().expect("piped"))
+        .lines()
+        .map_while(Result::ok);
+    assert_eq!(
+        lines.next().as_deref(),
+        Some("first frame"),
+        "the {kind} window did not open"
+    );
     let start = started.elapsed().as_secs_f64();
-    let frame = lines.next().and_then(|line| line.parse().ok()).expect("a time");
+    let frame = lines
+        .next()
+        .and_then(|line| line.parse().ok())
+        .expect("a time");
     let _ = child.wait();
     Numbers { start, frame }
 }
@@ -91,14 +108,26 @@ fn window(kind: &str) {
         let app = match kind.as_str() {
             "bare" => None,
             kind => {
-                let mut app = App::new(cc, Options { files: vec![], picker: Picker::system() })?;
+                let mut app = App::new(
+                    cc,
+                    Options {
+                        files: vec![],
+                        picker: Picker::system(),
+                    },
+                )?;
                 if kind == "panels" {
                     app.close_tiles();
                 }
                 Some(app)
             }
         };
-        Ok(Box::new(Driver { app, frames: 0, started: Instant::now(), first: None, s: 1.0 }) as Box<dyn eframe::App>)
+        Ok(Box::new(Driver {
+            app,
+            frames: 0,
+            started: Instant::now(),
+            first: None,
+            s: 1.0,
+        }) as Box<dyn eframe::App>)
     });
     eframe::run_native("bench", options, make).expect("a window");
 }
@@ -126,14 +155,24 @@ impl eframe::App for Driver {
             _ => {}
         }
         if let Some(first) = self.first.filter(|first| first.elapsed() > MEASURED) {
-            println!("{}", first.elapsed().as_secs_f64() / (self.frames - 2) as f64);
+            println!(
+                "{}",
+                first.elapsed().as_secs_f64() / (self.frames - 2) as f64
+            );
             std::process::exit(0);
         }
         self.frames += 1;
         match &mut self.app {
             Some(app) => {
                 self.s = if self.s > 1000.0 { 1.0 } else { self.s * 1.02 };
-                app.handle(&ctx, Msg::SetParam { id: ParamId::S, channel: None, value: self.s });
+                app.handle(
+                    &ctx,
+                    Msg::SetParam {
+                        id: ParamId::S,
+                        channel: None,
+                        value: self.s,
+                    },
+                );
                 app.ui(ui, frame);
             }
             None => {

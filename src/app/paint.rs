@@ -25,7 +25,12 @@ pub fn paint(painter: &Painter, origin: Pos2, drawing: &Drawing, palette: &Palet
     let place = |point: &Point| pos2(origin.x + point[0], origin.y + point[1]);
     for item in &drawing.items {
         match item {
-            Item::Line { points, width, dashed, ink } => {
+            Item::Line {
+                points,
+                width,
+                dashed,
+                ink,
+            } => {
                 let path: Vec<Pos2> = points.iter().map(place).collect();
                 let stroke = Stroke::new(*width, color(palette, *ink));
                 if *dashed {
@@ -36,18 +41,37 @@ pub fn paint(painter: &Painter, origin: Pos2, drawing: &Drawing, palette: &Palet
             }
             Item::Fill { points, ink } => {
                 let path = points.iter().map(place).collect();
-                painter.add(PathShape::convex_polygon(path, color(palette, *ink), PathStroke::NONE));
+                painter.add(PathShape::convex_polygon(
+                    path,
+                    color(palette, *ink),
+                    PathStroke::NONE,
+                ));
             }
-            Item::Dot { center, radius, ink } => {
+            Item::Dot {
+                center,
+                radius,
+                ink,
+            } => {
                 painter.circle_filled(place(center), *radius, color(palette, *ink));
             }
-            Item::Text { position, anchor, size, text, ink, halo } => {
+            Item::Text {
+                position,
+                anchor,
+                size,
+                text,
+                ink,
+                halo,
+            } => {
                 let galley = painter.layout_job(rich_text_job(text, *size, color(palette, *ink)));
                 let extent: Vec2 = galley.size();
                 let corner = place(position) - vec2(anchor[0] * extent.x, anchor[1] * extent.y);
                 if *halo {
                     let ground = color(palette, Role::Background.with_opacity(0.8));
-                    painter.rect_filled(Rect::from_min_size(corner, extent).expand2(vec2(2.0, -1.0)), 3.0, ground);
+                    painter.rect_filled(
+                        Rect::from_min_size(corner, extent).expand2(vec2(2.0, -1.0)),
+                        3.0,
+                        ground,
+                    );
                 }
                 painter.galley(corner, galley, Color32::PLACEHOLDER);
             }
@@ -72,7 +96,12 @@ pub fn rich_text_job(text: &RichText, size: f32, color: Color32) -> LayoutJob {
         job.append(
             &run.text,
             0.0,
-            TextFormat { font_id: FontId::proportional(size), color, valign, ..Default::default() },
+            TextFormat {
+                font_id: FontId::proportional(size),
+                color,
+                valign,
+                ..Default::default()
+            },
         );
     }
     job
@@ -83,6 +112,12 @@ pub fn plain(markup: &str) -> String {
     RichText::parse(markup)
         .runs
         .iter()
-        .map(|run| if run.level == Level::Sup { format!("^{}", run.text) } else { run.text.clone() })
+        .map(|run| {
+            if run.level == Level::Sup {
+                format!("^{}", run.text)
+            } else {
+                run.text.clone()
+            }
+        })
         .collect()
 }

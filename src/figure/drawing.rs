@@ -39,7 +39,10 @@ impl Role {
 
     /// With an opacity.
     pub fn with_opacity(self, opacity: f32) -> Ink {
-        Ink { role: self, opacity }
+        Ink {
+            role: self,
+            opacity,
+        }
     }
 }
 
@@ -111,7 +114,12 @@ impl Drawing {
     /// Adds a polyline that may be dashed.
     pub fn stroke(&mut self, points: Vec<Point>, width: f32, dashed: bool, ink: Ink) {
         if points.len() > 1 {
-            self.items.push(Item::Line { points, width, dashed, ink });
+            self.items.push(Item::Line {
+                points,
+                width,
+                dashed,
+                ink,
+            });
         }
     }
 
@@ -121,12 +129,34 @@ impl Drawing {
     }
 
     /// Adds a text with the ground behind it.
-    pub fn text_on_ground(&mut self, position: Point, anchor: Anchor, size: f32, markup: &str, ink: Ink) {
+    pub fn text_on_ground(
+        &mut self,
+        position: Point,
+        anchor: Anchor,
+        size: f32,
+        markup: &str,
+        ink: Ink,
+    ) {
         self.push_text(position, anchor, size, markup, ink, true);
     }
 
-    fn push_text(&mut self, position: Point, anchor: Anchor, size: f32, markup: &str, ink: Ink, halo: bool) {
-        self.items.push(Item::Text { position, anchor, size, text: RichText::parse(markup), ink, halo });
+    fn push_text(
+        &mut self,
+        position: Point,
+        anchor: Anchor,
+        size: f32,
+        markup: &str,
+        ink: Ink,
+        halo: bool,
+    ) {
+        self.items.push(Item::Text {
+            position,
+            anchor,
+            size,
+            text: RichText::parse(markup),
+            ink,
+            halo,
+        });
     }
 }
 
@@ -154,7 +184,15 @@ pub const LIGHT: Palette = Palette {
     faint: [150, 150, 158],
     background: [248, 248, 248],
     accent: [200, 30, 90],
-    series: [[0, 104, 168], [196, 84, 0], [0, 128, 94], [178, 84, 140], [140, 108, 0], [20, 130, 185], [70, 70, 76]],
+    series: [
+        [0, 104, 168],
+        [196, 84, 0],
+        [0, 128, 94],
+        [178, 84, 140],
+        [140, 108, 0],
+        [20, 130, 185],
+        [70, 70, 76],
+    ],
 };
 
 /// For a dark window.
@@ -164,7 +202,15 @@ pub const DARK: Palette = Palette {
     faint: [110, 110, 118],
     background: [27, 27, 27],
     accent: [255, 110, 160],
-    series: [[86, 180, 233], [240, 150, 40], [40, 190, 140], [220, 140, 190], [240, 228, 66], [120, 160, 255], [200, 200, 206]],
+    series: [
+        [86, 180, 233],
+        [240, 150, 40],
+        [40, 190, 140],
+        [220, 140, 190],
+        [240, 228, 66],
+        [120, 160, 255],
+        [200, 200, 206],
+    ],
 };
 
 impl Palette {
@@ -196,10 +242,21 @@ mod tests {
     #[test]
     fn every_series_and_label_can_be_read() {
         for palette in [LIGHT, DARK] {
-            for color in palette.series.into_iter().chain([palette.foreground, palette.muted, palette.accent]) {
-                assert!(contrast(color, palette.background) > 3.0, "{color:?} on {:?}", palette.background);
+            for color in palette.series.into_iter().chain([
+                palette.foreground,
+                palette.muted,
+                palette.accent,
+            ]) {
+                assert!(
+                    contrast(color, palette.background) > 3.0,
+                    "{color:?} on {:?}",
+                    palette.background
+                );
             }
         }
-        assert!(contrast(LIGHT.series[4], DARK.series[4]) > 2.0, "the measure can tell colours apart");
+        assert!(
+            contrast(LIGHT.series[4], DARK.series[4]) > 2.0,
+            "the measure can tell colours apart"
+        );
     }
 }

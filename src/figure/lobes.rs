@@ -115,19 +115,40 @@ impl LobePlot {
     pub fn new(spec: &LobeSpec, curves: &[Curve<'_>], size: [f32; 2]) -> Self {
         let lobes: Vec<Vec<Vec<Sample>>> = curves
             .iter()
-            .map(|curve| spec.theta_i.iter().map(|theta_i| sample(spec, curve, *theta_i)).collect())
+            .map(|curve| {
+                spec.theta_i
+                    .iter()
+                    .map(|theta_i| sample(spec, curve, *theta_i))
+                    .collect()
+            })
             .collect();
-        let peak = lobes.iter().flatten().flatten().filter_map(|(_, value)| *value).fold(0.0, f64::max);
+        let peak = lobes
+            .iter()
+            .flatten()
+            .flatten()
+            .filter_map(|(_, value)| *value)
+            .fold(0.0, f64::max);
         let limit = spec.limit.unwrap_or_else(|| spec.scale.limit(peak));
         let frame = LobeFrame::new(size, spec.scale, limit, spec.theta_i.clone());
-        let mut drawing = Drawing { size, items: Vec::new() };
+        let mut drawing = Drawing {
+            size,
+            items: Vec::new(),
+        };
         scaffold::draw_ground(&mut drawing, &frame, spec);
         // The active angle last, over the others.
-        let mut order: Vec<usize> = (0..spec.theta_i.len()).filter(|index| *index != spec.active).collect();
+        let mut order: Vec<usize> = (0..spec.theta_i.len())
+            .filter(|index| *index != spec.active)
+            .collect();
         order.extend((spec.active < spec.theta_i.len()).then_some(spec.active));
         for index in order {
             for (curve, lobes) in curves.iter().zip(&lobes) {
-                draw_lobe(&mut drawing, &frame, curve, &lobes[index], index == spec.active);
+                draw_lobe(
+                    &mut drawing,
+                    &frame,
+                    curve,
+                    &lobes[index],
+                    index == spec.active,
+                );
             }
         }
         scaffold::draw_vectors(&mut drawing, &frame, spec);
@@ -145,10 +166,14 @@ const HALF_STEPS: i32 = 360;
 /// The places where a lobe is sampled: evenly, and ever denser towards the mirror direction, where a lobe may be
 /// narrower than a step.
 fn places(theta_i: f64) -> Vec<f64> {
-    let mut places: Vec<f64> =
-        (-HALF_STEPS..=HALF_STEPS).map(|k| FRAC_PI_2 * f64::from(k) / f64::from(HALF_STEPS)).collect();
+    let mut places: Vec<f64> = (-HALF_STEPS..=HALF_STEPS)
+        .map(|k| FRAC_PI_2 * f64::from(k) / f64::from(HALF_STEPS))
+        .collect();
     let near = (0..40).map(|k| 2f64.to_radians() * 0.8f64.powi(k));
-    places.extend(near.flat_map(|offset| [theta_i - offset, theta_i + offset]).filter(|theta| theta.abs() < FRAC_PI_2));
+    places.extend(
+        near.flat_map(|offset| [theta_i - offset, theta_i + offset])
+            .filter(|theta| theta.abs() < FRAC_PI_2),
+    );
     places.push(theta_i);
     places.sort_by(f64::total_cmp);
     places
@@ -162,13 +187,20 @@ fn sample(spec: &LobeSpec, curve: &Curve<'_>, theta_i: f64) -> Vec<Sample> {
         .map(|theta_o| {
             // At ±90° exactly, rounding puts wo a hair below the horizon.
             let inside = theta_o.clamp(-FRAC_PI_2 + 1e-9, FRAC_PI_2 - 1e-9);
-            let value = (curve.f_r)(wi, direction(inside, 0.0)).map(|rgb| factor * spec.channel.of(rgb));
+            let value =
+                (curve.f_r)(wi, direction(inside, 0.0)).map(|rgb| factor * spec.channel.of(rgb));
             (theta_o, value.filter(|value| value.is_finite()))
         })
         .collect()
 }
 
-fn draw_lobe(drawing: &mut Drawing, frame: &LobeFrame, curve: &Curve<'_>, lobe: &[Sample], active: bool) {
+fn draw_lobe(
+    drawing: &mut Drawing,
+    frame: &LobeFrame,
+    curve: &Curve<'_>,
+    lobe: &[Sample],
+    active: bool,
+) {
     let (width, opacity) = if active { (2.0, 1.0) } else { (1.25, 0.55) };
     let ink: Ink = Role::Series(curve.series).with_opacity(opacity);
     let mut run: Vec<Point> = Vec::new();

@@ -12,7 +12,8 @@ pub enum RadialScale {
 }
 
 /// All radial scales in the order offered.
-pub const RADIAL_SCALES: [RadialScale; 3] = [RadialScale::Linear, RadialScale::CubeRoot, RadialScale::Log];
+pub const RADIAL_SCALES: [RadialScale; 3] =
+    [RadialScale::Linear, RadialScale::CubeRoot, RadialScale::Log];
 
 /// Decades between the centre and the limit of a logarithmic scale.
 pub const DECADES: i32 = 4;
@@ -68,7 +69,11 @@ impl RadialScale {
 
     /// A round limit at or above `peak`: the end of the axis.
     pub fn limit(self, peak: f64) -> f64 {
-        let peak = if peak.is_finite() && peak > 0.0 { peak } else { 1.0 };
+        let peak = if peak.is_finite() && peak > 0.0 {
+            peak
+        } else {
+            1.0
+        };
         match self {
             Self::Log => 10f64.powf(peak.log10().ceil()),
             // A little room above the tip; the rings are round values, not the rim.
@@ -81,23 +86,36 @@ impl RadialScale {
         let values: Vec<f64> = match self {
             Self::Linear => {
                 let step = nice_step(limit / 3.5);
-                (1..).map(|k| f64::from(k) * step).take_while(|value| *value <= limit).collect()
+                (1..)
+                    .map(|k| f64::from(k) * step)
+                    .take_while(|value| *value <= limit)
+                    .collect()
             }
             Self::CubeRoot => {
                 // Down from a round value near the limit by factors of about ten: radii ⅓ to 1.
                 let top = nice_floor(limit);
-                let mut values: Vec<f64> =
-                    [1.0, 0.3, 0.05].into_iter().map(|share| nice_floor(top * share)).collect();
+                let mut values: Vec<f64> = [1.0, 0.3, 0.05]
+                    .into_iter()
+                    .map(|share| nice_floor(top * share))
+                    .collect();
                 values.dedup();
                 values.reverse();
                 values
             }
             Self::Log => {
                 let top = limit.log10().round() as i32;
-                (top - DECADES + 1..=top).map(|exponent| 10f64.powi(exponent)).collect()
+                (top - DECADES + 1..=top)
+                    .map(|exponent| 10f64.powi(exponent))
+                    .collect()
             }
         };
-        values.into_iter().map(|value| Tick { value, label: label(value, self == Self::Log) }).collect()
+        values
+            .into_iter()
+            .map(|value| Tick {
+                value,
+                label: label(value, self == Self::Log),
+            })
+            .collect()
     }
 }
 
@@ -105,13 +123,21 @@ impl RadialScale {
 fn nice_floor(x: f64) -> f64 {
     let decade = 10f64.powf(x.log10().floor());
     let mantissa = x / decade * (1.0 + 1e-9);
-    decade * [5.0, 2.0, 1.0].into_iter().find(|nice| mantissa >= *nice).unwrap_or(1.0)
+    decade
+        * [5.0, 2.0, 1.0]
+            .into_iter()
+            .find(|nice| mantissa >= *nice)
+            .unwrap_or(1.0)
 }
 
 /// The smallest of 1, 2, 5 · 10^k at or above `x`.
 fn nice_step(x: f64) -> f64 {
     let below = nice_floor(x);
-    [1.0, 2.0, 2.5, 5.0].into_iter().map(|factor| nice_floor(below * factor)).find(|step| *step >= x * (1.0 - 1e-9)).unwrap_or(5.0 * below)
+    [1.0, 2.0, 2.5, 5.0]
+        .into_iter()
+        .map(|factor| nice_floor(below * factor))
+        .find(|step| *step >= x * (1.0 - 1e-9))
+        .unwrap_or(5.0 * below)
 }
 
 /// A round value as a label: a power of ten where `as_power` or where plain digits grow long.
@@ -149,13 +175,21 @@ mod tests {
                 assert!((scale.value(scale.length(value, 3.0), 3.0) - value).abs() < 1e-12);
             }
         }
-        assert!((RadialScale::CubeRoot.length(0.5, 1.0) - RadialScale::Linear.length(0.5, 1.0)).abs() > 0.2);
+        assert!(
+            (RadialScale::CubeRoot.length(0.5, 1.0) - RadialScale::Linear.length(0.5, 1.0)).abs()
+                > 0.2
+        );
     }
 
     #[test]
     fn ticks_are_round_and_inside() {
         let labels = |scale: RadialScale, limit: f64| {
-            scale.ticks(limit).into_iter().map(|tick| tick.label).collect::<Vec<_>>().join(" ")
+            scale
+                .ticks(limit)
+                .into_iter()
+                .map(|tick| tick.label)
+                .collect::<Vec<_>>()
+                .join(" ")
         };
         assert_eq!(labels(RadialScale::Linear, 1.04), "0.5 1.0");
         assert_eq!(labels(RadialScale::Linear, 33.0), "10 20 30");
@@ -167,7 +201,10 @@ mod tests {
                 for scale in RADIAL_SCALES {
                     let limit = scale.limit(peak);
                     let ticks = scale.ticks(limit);
-                    assert!(limit >= peak && ticks.len() >= 2, "{scale:?} {peak} {ticks:?}");
+                    assert!(
+                        limit >= peak && ticks.len() >= 2,
+                        "{scale:?} {peak} {ticks:?}"
+                    );
                     assert!(ticks.iter().all(|tick| tick.value <= limit * (1.0 + 1e-9)));
                     assert!(ticks.windows(2).all(|pair| pair[0].value < pair[1].value));
                 }

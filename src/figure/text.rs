@@ -33,7 +33,10 @@ impl RichText {
         let mut runs = Vec::new();
         let mut push = |text: &str, level| {
             if !text.is_empty() {
-                runs.push(Run { text: text.to_string(), level });
+                runs.push(Run {
+                    text: text.to_string(),
+                    level,
+                });
             }
         };
         let mut rest = markup;
@@ -94,7 +97,14 @@ mod tests {
 
     #[test]
     fn what_is_no_markup_is_text() {
-        for plain in ["", "a_b", "2^3", "open _{", "}{", "a_{}b".replace("_{}", "").as_str()] {
+        for plain in [
+            "",
+            "a_b",
+            "2^3",
+            "open _{",
+            "}{",
+            "a_{}b".replace("_{}", "").as_str(),
+        ] {
             assert_eq!(levels(plain), plain);
         }
     }

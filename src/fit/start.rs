@@ -26,7 +26,11 @@ struct Sample {
 /// measure an error in proportion to the value. A guess, made in a fraction of a second; no fit.
 pub fn from_table(table: &Table) -> Brdf {
     let samples = samples(table);
-    let mut best = Brdf { model: MODELS[2], fresnel: Fresnel::Exact, params: Params::default() };
+    let mut best = Brdf {
+        model: MODELS[2],
+        fresnel: Fresnel::Exact,
+        params: Params::default(),
+    };
     let mut best_error = f64::INFINITY;
     let mut shapes = vec![0.0; samples.len()];
     for k in 0..EXPONENTS {
@@ -34,7 +38,12 @@ pub fn from_table(table: &Table) -> Brdf {
         for alpha in ALPHAS {
             for eta in ETAS {
                 let mut candidate = best;
-                candidate.params = Params { s, alpha, eta, ..Params::default() };
+                candidate.params = Params {
+                    s,
+                    alpha,
+                    eta,
+                    ..Params::default()
+                };
                 for (shape, sample) in shapes.iter_mut().zip(&samples) {
                     *shape = candidate.specular_shape(&sample.cosines);
                 }
@@ -60,7 +69,9 @@ fn samples(table: &Table) -> Vec<Sample> {
     for h in 0..THETA_H_BINS {
         for d in (STRIDE.0 / 2..THETA_D_BINS).step_by(STRIDE.0) {
             for phi in (STRIDE.1 / 2..grid.phi_d_bins()).step_by(STRIDE.1) {
-                let Some(f_r) = table.cell(grid.index(h, d, phi)) else { continue };
+                let Some(f_r) = table.cell(grid.index(h, d, phi)) else {
+                    continue;
+                };
                 let center = grid.center(h, d, phi);
                 let cosines = center.cosines();
                 if !cosines.above_horizon() {
@@ -72,7 +83,11 @@ fn samples(table: &Table) -> Vec<Sample> {
                     * center.theta_d.sin()
                     * (2 * h + 1) as f64;
                 let weight = solid_angle * cosines.cos_theta_i * cosines.cos_theta_o;
-                samples.push(Sample { cosines, weight, f_r });
+                samples.push(Sample {
+                    cosines,
+                    weight,
+                    f_r,
+                });
             }
         }
     }
@@ -108,7 +123,9 @@ fn absolute_error(samples: &[Sample], shapes: &[f64], channel: usize, rho_d: f64
     samples
         .iter()
         .zip(shapes)
-        .map(|(sample, shape)| sample.weight * (rho_d / PI + k_s * shape - sample.f_r[channel]).abs())
+        .map(|(sample, shape)| {
+            sample.weight * (rho_d / PI + k_s * shape - sample.f_r[channel]).abs()
+        })
         .sum()
 }
 
@@ -123,7 +140,11 @@ mod tests {
             .map(|index| {
                 let (h, d, phi) = grid.bins(index);
                 let c = grid.center(h, d, phi).cosines();
-                if c.above_horizon() { brdf.eval(&c).map(|x| x as f32) } else { [-1.0; 3] }
+                if c.above_horizon() {
+                    brdf.eval(&c).map(|x| x as f32)
+                } else {
+                    [-1.0; 3]
+                }
             })
             .collect();
         Table::new(grid, cells)
@@ -134,15 +155,30 @@ mod tests {
         let mut truth = Brdf {
             model: MODELS[2],
             fresnel: Fresnel::Exact,
-            params: Params { rho_d: [0.3, 0.2, 0.1], k_s: [40.0, 50.0, 60.0], s: 60.0, alpha: 0.75, eta: 1.5 },
+            params: Params {
+                rho_d: [0.3, 0.2, 0.1],
+                k_s: [40.0, 50.0, 60.0],
+                s: 60.0,
+                alpha: 0.75,
+                eta: 1.5,
+            },
         };
         let guess = from_table(&table_of(&truth)).params;
         for k in 0..3 {
-            assert!((guess.rho_d[k] / truth.params.rho_d[k] - 1.0).abs() < 0.1, "{guess:?}");
-            assert!((guess.k_s[k] / truth.params.k_s[k] - 1.0).abs() < 0.3, "{guess:?}");
+            assert!(
+                (guess.rho_d[k] / truth.params.rho_d[k] - 1.0).abs() < 0.1,
+                "{guess:?}"
+            );
+            assert!(
+                (guess.k_s[k] / truth.params.k_s[k] - 1.0).abs() < 0.3,
+                "{guess:?}"
+            );
         }
         assert!((guess.s / truth.params.s).ln().abs() < 0.4, "{guess:?}");
-        assert!((guess.alpha - 0.75).abs() <= 0.25 && guess.eta == 1.5, "{guess:?}");
+        assert!(
+            (guess.alpha - 0.75).abs() <= 0.25 && guess.eta == 1.5,
+            "{guess:?}"
+        );
         // A planted change of the data moves the guess.
         truth.params.s = 600.0;
         assert!(from_table(&table_of(&truth)).params.s > 4.0 * guess.s);
@@ -153,6 +189,9 @@ mod tests {
         let flat = Table::new(Grid::FOLDED, vec![[0.1; 3]; Grid::FOLDED.len()]);
         let guess = from_table(&flat).params;
         assert!((guess.rho_d[0] - 0.1 * PI).abs() < 1e-3, "{guess:?}");
-        assert!(guess.k_s[0] * Fresnel::Exact.reflectance(1.0, guess.eta) < 1e-3, "{guess:?}");
+        assert!(
+            guess.k_s[0] * Fresnel::Exact.reflectance(1.0, guess.eta) < 1e-3,
+            "{guess:?}"
+        );
     }
 }

@@ -25,30 +25,50 @@ const MARGIN: [f32; 3] = [40.0, 30.0, 40.0];
 pub(super) const HANDLE: f32 = 1.0;
 
 impl LobeFrame {
-    pub(super) fn new([width, height]: [f32; 2], scale: RadialScale, limit: f64, theta_i: Vec<f64>) -> Self {
+    pub(super) fn new(
+        [width, height]: [f32; 2],
+        scale: RadialScale,
+        limit: f64,
+        theta_i: Vec<f64>,
+    ) -> Self {
         let [side, top, bottom] = MARGIN;
         let radius = (0.5 * width - side).min(height - top - bottom).max(8.0);
         // Centred in what is left, the surface towards the bottom.
         let spare = (height - top - bottom - radius).max(0.0);
         let origin = [0.5 * width, top + radius + 0.5 * spare];
-        Self { origin, radius, scale, limit, theta_i }
+        Self {
+            origin,
+            radius,
+            scale,
+            limit,
+            theta_i,
+        }
     }
 
     /// The point at signed `theta` in radians, `length` of the radius from the origin.
     pub fn at(&self, theta: f64, length: f32) -> Point {
         let (sin, cos) = theta.sin_cos();
         let r = self.radius * length;
-        [self.origin[0] + r * sin as f32, self.origin[1] - r * cos as f32]
+        [
+            self.origin[0] + r * sin as f32,
+            self.origin[1] - r * cos as f32,
+        ]
     }
 
     /// The point of a value at signed θo; values past the limit stay on the rim.
     pub fn point(&self, theta_o: f64, value: f64) -> Point {
-        self.at(theta_o, self.scale.length(value, self.limit).min(1.0) as f32)
+        self.at(
+            theta_o,
+            self.scale.length(value, self.limit).min(1.0) as f32,
+        )
     }
 
     /// Signed θo in radians and the value at a point, the inverse of [`LobeFrame::point`].
     pub fn theta_o_and_value(&self, point: Point) -> (f64, f64) {
-        let (x, y) = (f64::from(point[0] - self.origin[0]), f64::from(self.origin[1] - point[1]));
+        let (x, y) = (
+            f64::from(point[0] - self.origin[0]),
+            f64::from(self.origin[1] - point[1]),
+        );
         let length = x.hypot(y) / f64::from(self.radius);
         (x.atan2(y), self.scale.value(length, self.limit))
     }
