@@ -140,7 +140,7 @@ fn a_file_without_permission_has_its_line() {
     use std::os::unix::fs::PermissionsExt as _;
     let folder = Folder::new();
     let path = folder.file("secret.binary", merl(FOLDED, [1.0; 3]));
-    fs::set_permissions(&path, fs::Permissions::from_mode(0)).expect("is set");
+    fs::set_permissions(&path, fs::Permissions::from_mode(0o000)).expect("is set");
     if fs::File::open(&path).is_ok() {
         eprintln!("skipped: this user may read everything");
         return;

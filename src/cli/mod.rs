@@ -20,6 +20,7 @@ use std::process::ExitCode;
 #[command(name = "grazing", version, args_conflicts_with_subcommands = true)]
 struct Cli {
     /// MERL files to open in the window
+    #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
     #[command(subcommand)]
     command: Option<Command>,
