@@ -266,7 +266,7 @@ fn run(state: &mut State, command: Command) -> Vec<Task> {
         }),
         Command::UseScale(scale) => edit(state, |scene| scene.lobes.scale = scale),
         Command::ToggleCosine => edit(state, |scene| {
-            scene.lobes.with_cosine = !scene.lobes.with_cosine
+            scene.lobes.with_cosine = !scene.lobes.with_cosine;
         }),
         Command::ToggleRaw => edit(state, |scene| {
             scene.lookup = if scene.lookup == Lookup::Nearest {

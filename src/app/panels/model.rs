@@ -34,7 +34,7 @@ pub fn model_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
                 // The model's own row where it has one: ranges differ. The rest is shown greyed.
                 let row = brdf.model.param(row.id).unwrap_or(row);
                 ui.add_enabled_ui(brdf.uses(row.id), |ui| {
-                    param_ui(ui, &state.scene, brdf, row, out)
+                    param_ui(ui, &state.scene, brdf, row, out);
                 });
                 ui.add_space(4.0);
             }

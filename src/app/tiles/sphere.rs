@@ -77,12 +77,12 @@ fn toolbar_ui(ui: &mut egui::Ui, state: &State, tile: &SphereTile, out: &mut Vec
             .on_hover_text("Exposure in stops. Double click on the word: 0.");
         if response.changed() {
             out.push(Msg::SetSphere(with(tile, |tile| {
-                tile.view.exposure_stops = exposure
+                tile.view.exposure_stops = exposure;
             })));
         }
         if label.interact(Sense::click()).double_clicked() {
             out.push(Msg::SetSphere(with(tile, |tile| {
-                tile.view.exposure_stops = 0.0
+                tile.view.exposure_stops = 0.0;
             })));
         }
     });
@@ -213,7 +213,7 @@ fn interact(
         match ui.data(|data| data.get_temp(id)) {
             Some(Grabbed::Split) => {
                 out.push(Msg::SetSphere(with(tile, |tile| {
-                    tile.split = x.clamp(-1.0, 1.0)
+                    tile.split = x.clamp(-1.0, 1.0);
                 })));
             }
             Some(Grabbed::Light(light)) => out.push(Msg::SetSphere(with(tile, |tile| {
