@@ -170,16 +170,7 @@ mod tests {
     #[test]
     fn what_is_no_markup_is_text() {
         for text in [
-            "a_b",
-            "a^b",
-            "x_{open",
-            "}",
-            "{a}",
-            "_",
-            "^",
-            "5 ^ {3}",
-            "ω_",
-            "_^{",
+            "a_b", "a^b", "x_{open", "}", "{a}", "_", "^", "5 ^ {3}", "ω_", "_^{",
         ] {
             assert_eq!(runs(text), [run(text, Level::Base)], "{text}");
         }

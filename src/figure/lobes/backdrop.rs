@@ -4,6 +4,7 @@ use super::{LobeFrame, LobeSpec};
 use crate::figure::drawing::{Anchor, Drawing, Item, Label, Point};
 use crate::figure::palette::{Ink, Role};
 use crate::figure::placing::Placing;
+use crate::figure::scale::power_of_ten;
 use crate::figure::text::RichText;
 use std::f64::consts::FRAC_PI_2;
 
@@ -79,7 +80,10 @@ pub(super) fn ground(sheet: &mut Sheet) {
             sheet.drawing.line(ray, 1.0, grid.faded(0.8));
         }
         if major || frame.radius >= 90.0 {
-            let inner = frame.at(theta, 1.0 - if major { 6.0 } else { 3.5 } / f64::from(frame.radius));
+            let inner = frame.at(
+                theta,
+                1.0 - if major { 6.0 } else { 3.5 } / f64::from(frame.radius),
+            );
             let tick = vec![inner, frame.at(theta, 1.0)];
             sheet
                 .drawing
@@ -91,13 +95,11 @@ pub(super) fn ground(sheet: &mut Sheet) {
         .drawing
         .line(rim, 1.0, Ink::from(Role::Muted).faded(0.7));
     for side in [-1.0, 1.0] {
-        let at = frame.at(side * 84.8_f64.to_radians(), 1.0 - f64::from(2.2 * sheet.font / frame.radius));
-        let mut label = sheet.label(
-            RichText::literal("> 80°"),
-            at,
-            Anchor::CENTER,
-            Role::Muted,
+        let at = frame.at(
+            side * 84.8_f64.to_radians(),
+            1.0 - f64::from(2.2 * sheet.font / frame.radius),
         );
+        let mut label = sheet.label(RichText::literal("> 80°"), at, Anchor::CENTER, Role::Muted);
         label.size = 0.85 * sheet.font;
         // The region is this high where the label is.
         if f64::from(frame.radius) * 0.8 * 10f64.to_radians().tan() > 1.4 * f64::from(sheet.font) {
@@ -125,7 +127,7 @@ pub(super) fn vectors(sheet: &mut Sheet, spec: &LobeSpec) {
         if let Some(theta_o) = spec.probe_theta_o {
             vector(sheet, theta_o, "ω_{o}", Role::Foreground.into());
             let theta_h = 0.5 * (theta_o - theta_i);
-            vector(sheet, theta_h, "ω_{h}", Role::Foreground.into());
+            vector(sheet, theta_h, "ω_{h}", Role::Muted.into());
         }
     }
     let quiet = Ink::from(Role::Muted);
@@ -165,13 +167,19 @@ pub(super) fn rim_labels(sheet: &mut Sheet) {
         let theta = f64::from(deg).to_radians();
         let (dx, dy) = (theta.sin() as f32, -theta.cos() as f32);
         let text = RichText::literal(&format!("{}°", deg.abs()));
-        let at = sheet.outside(theta, 0.45);
-        let mut label = sheet.label(text, at, Anchor::towards(-dx, -dy), Role::Muted);
-        if deg.abs() == 90 {
-            // Above the line of the surface: values of rings are below it.
-            label.anchor.y = 0.9;
+        // Further out where a handle is.
+        for gap in [0.45, 0.85] {
+            let at = sheet.outside(theta, gap);
+            let anchor = Anchor::towards(-dx, -dy);
+            let mut label = sheet.label(text.clone(), at, anchor, Role::Muted);
+            if deg.abs() == 90 {
+                // Above the line of the surface: values of rings are below it.
+                label.anchor.y = 0.9;
+            }
+            if sheet.placing.try_place(&mut sheet.drawing, label) {
+                break;
+            }
         }
-        sheet.placing.try_place(&mut sheet.drawing, label);
     }
 }
 
@@ -180,7 +188,7 @@ pub(super) fn ring_labels(sheet: &mut Sheet) {
     let frame = sheet.frame;
     let below = |x: f32| [x, frame.origin[1] + 0.35 * sheet.font];
     let floor = if frame.axis.floor > 0.0 {
-        crate::figure::scale::power_of_ten(frame.axis.floor)
+        format!("≤ {}", power_of_ten(frame.axis.floor))
     } else {
         "0".to_owned()
     };
@@ -199,7 +207,10 @@ pub(super) fn ring_labels(sheet: &mut Sheet) {
     }
     for label in labels {
         let x = label.pos[0];
-        let mark = vec![[x, frame.origin[1]], [x, frame.origin[1] + 0.3 * sheet.font]];
+        let mark = vec![
+            [x, frame.origin[1]],
+            [x, frame.origin[1] + 0.3 * sheet.font],
+        ];
         if sheet.placing.try_place(&mut sheet.drawing, label) {
             sheet.drawing.line(mark, 1.0, Role::Muted.into());
         }

@@ -77,9 +77,7 @@ fn lobe(sheet: &mut Sheet, trace: &Trace, curve: &Curve, active: bool) {
             });
         }
         let dash = curve.dashed.then_some(DASH);
-        sheet
-            .drawing
-            .dashed_line(thinned(points), width, dash, ink);
+        sheet.drawing.dashed_line(thinned(points), width, dash, ink);
     }
 }
 

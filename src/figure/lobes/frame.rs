@@ -1,8 +1,8 @@
 //! Where angles and values are in a lobe plot.
 
+use super::{MAX_THETA_I, distance};
 use crate::figure::drawing::Point;
 use crate::figure::scale::Axis;
-use super::{MAX_THETA_I, distance};
 use std::f64::consts::FRAC_PI_2;
 
 /// The half disc of a lobe plot.

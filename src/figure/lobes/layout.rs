@@ -1,8 +1,8 @@
 //! How a lobe plot divides its rectangle: the half disc as large as title and legend leave it.
 
+use super::{Curve, LobeSpec};
 use crate::figure::drawing::{LINE_HEIGHT, Point};
 use crate::figure::text::{RichText, elided};
-use super::{Curve, LobeSpec};
 
 /// Places and sizes in points.
 pub(super) struct Plan {
@@ -23,18 +23,19 @@ pub(super) const SWATCH_EM: f32 = 2.6;
 
 impl Plan {
     pub(super) fn new(spec: &LobeSpec, curves: &[Curve], [width, height]: [f32; 2]) -> Self {
-        let font = (width.min(1.4 * height) / 42.0).clamp(9.0, 14.0);
+        let font = (width.min(1.4 * height) / 38.0).clamp(9.5, 14.0);
         let pad = 0.7 * font;
         let line = LINE_HEIGHT * font;
         let shown: Vec<usize> = (0..curves.len())
             .filter(|k| spec.shows(&curves[*k]))
             .collect();
         let title = title(spec, (width - 2.0 * pad) / font);
-        let name_em = (0.5 * width / font - SWATCH_EM - 2.0).clamp(6.0, 24.0);
-        let names: Vec<RichText> = shown
-            .iter()
-            .map(|k| elided(&curves[*k].label, name_em))
-            .collect();
+        let named = |share: f32| -> Vec<RichText> {
+            let room_em = ((share * width - 2.0 * pad) / font - SWATCH_EM).clamp(3.0, 24.0);
+            let label = |k: &usize| elided(&curves[*k].label, room_em);
+            shown.iter().map(label).collect()
+        };
+        let names = named(0.5);
         let entry = |name: &RichText| font * (SWATCH_EM + name.width_em());
         let title_width = font * title.width_em();
         let legend_width = names.iter().map(entry).fold(0.0, f32::max);
@@ -61,6 +62,8 @@ impl Plan {
         let one_row =
             title_width + names.iter().map(entry).sum::<f32>() + 2.0 * font * (names.len() as f32)
                 <= width - 2.0 * pad;
+        // In rows of its own a name has more room.
+        let long_names = named(1.0);
         let rows = if one_row { 1 } else { 1 + names.len() };
         let in_rows = widest.min(height - below - rim - pad - line * rows as f32);
 
@@ -73,10 +76,21 @@ impl Plan {
         };
         // What is left over goes above and below alike.
         let slack = (height - below - top - radius).max(0.0) * 0.5;
-        let (left, first) = (pad, pad + 0.5 * line + if corners { 0.0 } else { slack });
+        // Texts in the corners stay at the top until that is far from the disc.
+        let lowered = if corners {
+            (slack - 4.0 * font).max(0.0)
+        } else {
+            slack
+        };
+        let (left, first) = (pad, pad + 0.5 * line + lowered);
 
         let mut legend = Vec::new();
         let mut end = width - pad;
+        let names = if corners || one_row {
+            names
+        } else {
+            long_names
+        };
         for (row, (curve, name)) in shown.iter().zip(names).enumerate().rev() {
             let pos = if corners {
                 [width - pad - legend_width, first + line * row as f32]
@@ -108,7 +122,7 @@ fn title(spec: &LobeSpec, room_em: f32) -> RichText {
     } else {
         "f_{r}"
     };
-    let (channel, scale) = (spec.channel.name(), spec.scale.name());
+    let (channel, scale) = (spec.channel.name(), spec.scale.phrase());
     let long = RichText::parse(&format!("{what} [sr^{{−1}}], {channel}, {scale} scale"));
     if long.width_em() <= room_em {
         return long;

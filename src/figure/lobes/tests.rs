@@ -50,7 +50,9 @@ fn worst_distance(scale: RadialScale, with_cosine: bool, planted_deg: f64) -> f6
     let mut worst: f64 = 0.0;
     for deg in -89..=89 {
         let theta_o = f64::from(deg).to_radians();
-        let base = (theta_o - theta_i - planted_deg.to_radians()).cos().max(0.0);
+        let base = (theta_o - theta_i - planted_deg.to_radians())
+            .cos()
+            .max(0.0);
         let wanted = frame.point(theta_o, factor * (0.1 + base.powi(20)));
         let nearest = lines[0]
             .windows(2)
@@ -151,7 +153,10 @@ fn points_and_angles_lead_back_to_each_other() {
                 let there = frame.point(deg.to_radians(), value);
                 let (theta_o, back) = frame.locate(there).expect("in the disc");
                 assert!((theta_o.to_degrees() - deg).abs() < 0.01);
-                assert!((back / value - 1.0).abs() < 1e-3, "{scale:?} {value} {back}");
+                assert!(
+                    (back / value - 1.0).abs() < 1e-3,
+                    "{scale:?} {value} {back}"
+                );
             }
         }
         // To the right is positive, up is the normal.
@@ -266,6 +271,19 @@ fn no_text_covers_another_in_any_size() {
 }
 
 #[test]
+fn a_text_drawn_twice_is_caught() {
+    let mut drawing = LobePlot::new(&LobeSpec::default(), &[], SIZE).drawing;
+    assert_eq!(clashes(&drawing), Vec::<String>::new());
+    let mut texts = drawing
+        .items
+        .iter()
+        .filter(|item| matches!(item, Item::Text(_)));
+    let first = texts.next().cloned().expect("has a title");
+    drawing.items.push(first);
+    assert_eq!(clashes(&drawing).len(), 1);
+}
+
+#[test]
 fn every_size_is_drawn_with_finite_numbers() {
     for size in [[0.0, 0.0], [60.0, 60.0], [900.0, 150.0], [1e4, 1e4]] {
         for theta_i in [vec![], vec![0.0], vec![FRAC_PI_2]] {
@@ -293,6 +311,8 @@ fn channels_are_found_by_key() {
     for channel in CHANNELS {
         assert_eq!(Channel::by_key(channel.key()), Some(channel));
     }
-    assert_eq!([Channel::R, Channel::G, Channel::B].map(|c| c.of([1.0, 2.0, 3.0])), [1.0, 2.0, 3.0]);
+    assert_eq!(
+        [Channel::R, Channel::G, Channel::B].map(|c| c.of([1.0, 2.0, 3.0])),
+        [1.0, 2.0, 3.0]
+    );
 }
-
