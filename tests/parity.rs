@@ -25,7 +25,11 @@ fn pair(random: &mut Random, kind: usize) -> (DVec3, DVec3) {
     let wi = direction(theta(random, low), random.between(0.0, TAU));
     let wo = if kind % 3 == 1 {
         let spread = random.log_between(1e-4, 0.5);
-        let aside = DVec3::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-1.0, 1.0));
+        let aside = DVec3::new(
+            random.between(-1.0, 1.0),
+            random.between(-1.0, 1.0),
+            random.between(-1.0, 1.0),
+        );
         let near = (mirror(wi) + spread * aside).normalize();
         DVec3::new(near.x, near.y, near.z.abs())
     } else {
@@ -46,7 +50,8 @@ fn slot(w: DVec3) -> [f32; 4] {
 
 fn random_brdf(random: &mut Random, k: usize) -> Brdf {
     let model = MODELS[k % MODELS.len()];
-    let color = |random: &mut Random, low: f64, high: f64| [0; 3].map(|_| random.log_between(low, high));
+    let color =
+        |random: &mut Random, low: f64, high: f64| [0; 3].map(|_| random.log_between(low, high));
     let mut params = Params {
         rho_d: color(random, 0.01, 1.0),
         k_s: color(random, 0.01, 1e3),
@@ -54,12 +59,22 @@ fn random_brdf(random: &mut Random, k: usize) -> Brdf {
         alpha: random.unit(),
         eta: 1.0 + random.log_between(1e-3, 2.0),
     };
-    for id in [ParamId::RhoD, ParamId::KS, ParamId::S, ParamId::Alpha, ParamId::Eta] {
+    for id in [
+        ParamId::RhoD,
+        ParamId::KS,
+        ParamId::S,
+        ParamId::Alpha,
+        ParamId::Eta,
+    ] {
         for value in params.get_mut(id) {
             *value = f64::from(*value as f32);
         }
     }
-    Brdf { model, fresnel: FRESNELS[(k / MODELS.len()) % FRESNELS.len()], params }
+    Brdf {
+        model,
+        fresnel: FRESNELS[(k / MODELS.len()) % FRESNELS.len()],
+        params,
+    }
 }
 
 /// Largest distance of the models, relative to the value itself.
@@ -98,7 +113,8 @@ fn item(index: u32) -> vec4f {{
         let expected = brdf.eval(&Cosines::from_directions(*wi, *wo));
         for channel in 0..3 {
             assert!(value[channel].is_finite(), "{brdf:?} {wi} {wo}");
-            worst = worst.max((f64::from(value[channel]) - expected[channel]).abs() / expected[channel]);
+            worst = worst
+                .max((f64::from(value[channel]) - expected[channel]).abs() / expected[channel]);
         }
     }
     worst
@@ -127,9 +143,15 @@ fn planted_errors_in_the_models_are_caught() {
         ("(x2 * x2 * x)", "(x2 * x2)"),
         ("pow_cosine(c.wh_n, p.s)", "pow_cosine(c.wh_n, p.s + 0.01)"),
     ] {
-        assert!(library.contains(right), "{right} is not in the shader any more");
+        assert!(
+            library.contains(right),
+            "{right} is not in the shader any more"
+        );
         let worst = worst_model_distance(&gpu, &library.replace(right, wrong));
-        assert!(worst > 2.0 * MODEL_TOLERANCE, "{right} → {wrong} went unnoticed: {worst:e}");
+        assert!(
+            worst > 2.0 * MODEL_TOLERANCE,
+            "{right} → {wrong} went unnoticed: {worst:e}"
+        );
     }
 }
 
@@ -137,7 +159,10 @@ fn planted_errors_in_the_models_are_caught() {
 fn worst_angle_distance(gpu: &Gpu, library: &str) -> f64 {
     let mut random = Random(2);
     let pairs: Vec<_> = (0..PAIRS).map(|k| pair(&mut random, k)).collect();
-    let inputs: Vec<_> = pairs.iter().flat_map(|(wi, wo)| [slot(*wi), slot(*wo)]).collect();
+    let inputs: Vec<_> = pairs
+        .iter()
+        .flat_map(|(wi, wo)| [slot(*wi), slot(*wo)])
+        .collect();
     let shader = format!(
         "{library}
 fn item(index: u32) -> vec4f {{
@@ -146,7 +171,10 @@ fn item(index: u32) -> vec4f {{
 }}"
     );
     let mut worst: f64 = 0.0;
-    for ((wi, wo), value) in pairs.iter().zip(evaluate(gpu, &shader, &inputs, PAIRS, None)) {
+    for ((wi, wo), value) in pairs
+        .iter()
+        .zip(evaluate(gpu, &shader, &inputs, PAIRS, None))
+    {
         let expected = HalfDiff::from_directions(*wi, *wo).expect("has a half vector");
         let turn = (f64::from(value[2]) - expected.phi_d).rem_euclid(TAU);
         let around = turn.min(TAU - turn) * expected.theta_h.sin() * expected.theta_d.sin();
@@ -167,7 +195,10 @@ fn half_and_difference_angles_agree() {
     // Measured: 3.3e-6 at worst. A bin of θ_h is 2e-4 rad at its narrowest.
     assert!(worst < 1e-5, "{worst:e}");
     let swapped = library.replace("let across = wi - wo;", "let across = wo - wi;");
-    assert!(worst_angle_distance(&gpu, &swapped) > 1e-2, "a swapped axis went unnoticed");
+    assert!(
+        worst_angle_distance(&gpu, &swapped) > 1e-2,
+        "a swapped axis went unnoticed"
+    );
 }
 
 /// A table of smooth but uneven values with invalid cells strewn in.
@@ -193,11 +224,16 @@ fn worst_lookup_distance(gpu: &Gpu, library: &str, grid: Grid, lookup: Lookup) -
     let pairs: Vec<(DVec3, DVec3)> = std::iter::repeat_with(|| pair(&mut random, 0))
         .filter(|(wi, wo)| {
             let angles = HalfDiff::from_directions(*wi, *wo).expect("has a half vector");
-            grid.bin_coordinates(angles).iter().all(|u| (0.02..0.98).contains(&u.fract()))
+            grid.bin_coordinates(angles)
+                .iter()
+                .all(|u| (0.02..0.98).contains(&u.fract()))
         })
         .take(PAIRS)
         .collect();
-    let inputs: Vec<_> = pairs.iter().flat_map(|(wi, wo)| [slot(*wi), slot(*wo)]).collect();
+    let inputs: Vec<_> = pairs
+        .iter()
+        .flat_map(|(wi, wo)| [slot(*wi), slot(*wo)])
+        .collect();
     let smoothly = lookup == Lookup::Smooth;
     let shader = format!(
         "{library}
@@ -206,7 +242,11 @@ fn item(index: u32) -> vec4f {{
 }}"
     );
     let (mut worst, mut same_validity): (f64, bool) = (0.0, true);
-    for ((wi, wo), value) in pairs.iter().zip(evaluate(gpu, &shader, &inputs, PAIRS, Some(&texture))) {
+    for ((wi, wo), value) in
+        pairs
+            .iter()
+            .zip(evaluate(gpu, &shader, &inputs, PAIRS, Some(&texture)))
+    {
         let expected = table.lookup(*wi, *wo, lookup);
         same_validity &= expected.is_some() == (value[3] == 1.0);
         for (channel, expected) in expected.into_iter().flatten().enumerate() {
@@ -223,13 +263,30 @@ fn lookups_agree_away_from_the_edges() {
     for grid in [Grid::FOLDED, Grid::FULL] {
         for (lookup, tolerance) in [(Lookup::Nearest, 1e-7), (Lookup::Smooth, 1e-3)] {
             let (worst, same_validity) = worst_lookup_distance(&gpu, &library, grid, lookup);
-            println!("lookup {lookup:?} {}: worst distance {worst:.2e}", grid.phi_d_bins());
-            assert!(worst < tolerance && same_validity, "{grid:?} {lookup:?}: {worst:e} {same_validity}");
+            println!(
+                "lookup {lookup:?} {}: worst distance {worst:.2e}",
+                grid.phi_d_bins()
+            );
+            assert!(
+                worst < tolerance && same_validity,
+                "{grid:?} {lookup:?}: {worst:e} {same_validity}"
+            );
         }
     }
-    for (right, wrong) in [("vec2i(bins.z, bins.y), bins.x", "vec2i(bins.z, bins.x), bins.y"), ("u.z - 0.5", "u.z - 0.48")] {
+    for (right, wrong) in [
+        (
+            "vec2i(bins.z, bins.y), bins.x",
+            "vec2i(bins.z, bins.x), bins.y",
+        ),
+        ("u.z - 0.5", "u.z - 0.48"),
+    ] {
         assert!(library.contains(right));
-        let (worst, _) = worst_lookup_distance(&gpu, &library.replace(right, wrong), Grid::FOLDED, Lookup::Smooth);
+        let (worst, _) = worst_lookup_distance(
+            &gpu,
+            &library.replace(right, wrong),
+            Grid::FOLDED,
+            Lookup::Smooth,
+        );
         assert!(worst > 5e-3, "{right} → {wrong} went unnoticed: {worst:e}");
     }
 }
@@ -239,9 +296,14 @@ fn the_srgb_curve_agrees() {
     let Some(gpu) = gpu() else { return };
     let inputs: Vec<[f32; 4]> = (0..2000).map(|k| [k as f32 / 1500.0 - 0.1; 4]).collect();
     let distance = |library: &str| {
-        let shader = format!("{library}\nfn item(index: u32) -> vec4f {{ return vec4f(srgb_encode(inputs[index].xyz), 0.0); }}");
+        let shader = format!(
+            "{library}\nfn item(index: u32) -> vec4f {{ return vec4f(srgb_encode(inputs[index].xyz), 0.0); }}"
+        );
         let values = evaluate(&gpu, &shader, &inputs, inputs.len(), None);
-        let distances = inputs.iter().zip(values).map(|(x, y)| (srgb_encode(f64::from(x[0])) - f64::from(y[0])).abs());
+        let distances = inputs
+            .iter()
+            .zip(values)
+            .map(|(x, y)| (srgb_encode(f64::from(x[0])) - f64::from(y[0])).abs());
         distances.fold(0.0, f64::max)
     };
     let library = shader::library();

@@ -5,8 +5,8 @@ mod common;
 use common::{Random, gpu};
 use grazing::brdf::fresnel::Fresnel;
 use grazing::brdf::{Brdf, MODELS, Params};
-use grazing::geom::color::srgb_bytes;
 use grazing::geom::Cosines;
+use grazing::geom::color::srgb_bytes;
 use grazing::gpu::adapter::Gpu;
 use grazing::gpu::offscreen;
 use grazing::gpu::sphere::{SphereView, local_directions};
@@ -20,15 +20,28 @@ use std::f64::consts::PI;
 const SIZE: u32 = 200;
 
 fn brdf() -> Brdf {
-    let params = Params { rho_d: [0.5, 0.2, 0.1], k_s: [8.0; 3], s: 30.0, alpha: 0.4, eta: 1.5 };
-    Brdf { model: MODELS[2], fresnel: Fresnel::Exact, params }
+    let params = Params {
+        rho_d: [0.5, 0.2, 0.1],
+        k_s: [8.0; 3],
+        s: 30.0,
+        alpha: 0.4,
+        eta: 1.5,
+    };
+    Brdf {
+        model: MODELS[2],
+        fresnel: Fresnel::Exact,
+        params,
+    }
 }
 
 fn picture(gpu: &Gpu, table: &TableTexture, split: f64, lookup: Lookup) -> RgbaImage {
     let pass = SpherePass::new(&gpu.device, offscreen::FORMAT);
     let slot = pass.slot(&gpu.device, table);
     let radius = 0.5 * SIZE as f32;
-    slot.write(&gpu.queue, &SphereUniform::new(&SphereView::default(), &brdf(), lookup, split, radius));
+    slot.write(
+        &gpu.queue,
+        &SphereUniform::new(&SphereView::default(), &brdf(), lookup, split, radius),
+    );
     offscreen::render(gpu, SIZE, |render_pass| pass.draw(render_pass, &slot)).expect("a picture")
 }
 
@@ -59,7 +72,10 @@ fn worst_distance(picture: &RgbaImage, gain: f64) -> u8 {
     let mut random = Random(5);
     let mut worst = 0;
     for _ in 0..800 {
-        let (px, py) = ((random.unit() * f64::from(SIZE)) as u32, (random.unit() * f64::from(SIZE)) as u32);
+        let (px, py) = (
+            (random.unit() * f64::from(SIZE)) as u32,
+            (random.unit() * f64::from(SIZE)) as u32,
+        );
         let (x, y) = place(px, py);
         if x.hypot(y) > 0.97 {
             continue;
@@ -77,8 +93,15 @@ fn the_models_sphere_is_the_definition() {
     let Some(gpu) = gpu() else { return };
     let none = TableTexture::empty(&gpu.device, &gpu.queue);
     let picture = picture(&gpu, &none, -2.0, Lookup::Smooth);
-    assert!(worst_distance(&picture, 1.0) <= 1, "{}", worst_distance(&picture, 1.0));
-    assert!(worst_distance(&picture, 1.03) > 1, "3 % more light went unnoticed");
+    assert!(
+        worst_distance(&picture, 1.0) <= 1,
+        "{}",
+        worst_distance(&picture, 1.0)
+    );
+    assert!(
+        worst_distance(&picture, 1.03) > 1,
+        "3 % more light went unnoticed"
+    );
     assert_eq!(picture.get_pixel(0, 0).0, [0; 4], "outside is transparent");
     assert_eq!(picture.get_pixel(SIZE / 2, SIZE / 2).0[3], 255);
 }
@@ -90,7 +113,11 @@ fn table(limit: f64) -> Table {
         let (h, d, phi) = grid.bins(index);
         let c = grid.center(h, d, phi).cosines();
         let measured = c.cos_theta_i.min(c.cos_theta_o) >= limit;
-        if measured { brdf().eval(&c).map(|x| x as f32) } else { [-1.0; 3] }
+        if measured {
+            brdf().eval(&c).map(|x| x as f32)
+        } else {
+            [-1.0; 3]
+        }
     });
     Table::new(grid, cells.collect())
 }
@@ -104,11 +131,18 @@ fn the_split_shows_the_table_left_and_the_model_right() {
     let model = picture(&gpu, &texture, -2.0, Lookup::Smooth);
     let measured = picture(&gpu, &texture, 2.0, Lookup::Smooth);
     for (x, y, pixel) in split.enumerate_pixels() {
-        let side = if place(x, y).0 < 0.0 { &measured } else { &model };
+        let side = if place(x, y).0 < 0.0 {
+            &measured
+        } else {
+            &model
+        };
         assert_eq!(pixel, side.get_pixel(x, y));
     }
     // The table interpolates the model within a few steps of 255, away from the highlight's flank.
-    let close = measured.pixels().zip(model.pixels()).filter(|(a, b)| a.0.iter().zip(b.0).all(|(a, b)| a.abs_diff(b) <= 3));
+    let close = measured
+        .pixels()
+        .zip(model.pixels())
+        .filter(|(a, b)| a.0.iter().zip(b.0).all(|(a, b)| a.abs_diff(b) <= 3));
     assert!(close.count() > (SIZE * SIZE) as usize * 95 / 100);
     assert_ne!(measured, picture(&gpu, &texture, 2.0, Lookup::Nearest));
 }
@@ -131,7 +165,10 @@ fn unmeasured_directions_are_hatched_not_black() {
         if unmeasured {
             let [r, g, b, a] = pixel.0;
             // The two greys of the hatch: nothing of the reddish material, nothing near black.
-            assert!(r.abs_diff(g) < 4 && b >= r && r > 80 && a == 255, "({px}, {py}) {pixel:?}");
+            assert!(
+                r.abs_diff(g) < 4 && b >= r && r > 80 && a == 255,
+                "({px}, {py}) {pixel:?}"
+            );
             hatched += 1;
         }
     }

@@ -11,20 +11,66 @@ struct Rule {
 }
 
 const RULES: [Rule; 9] = [
-    Rule { module: "geom", may_use: &[], pure: true },
-    Rule { module: "brdf", may_use: &["geom"], pure: true },
-    Rule { module: "measured", may_use: &["geom"], pure: true },
-    Rule { module: "fit", may_use: &["geom", "brdf", "measured"], pure: true },
-    Rule { module: "figure", may_use: &["geom", "brdf", "measured"], pure: true },
-    Rule { module: "files", may_use: &["geom", "brdf", "measured"], pure: false },
-    Rule { module: "gpu", may_use: &["geom", "brdf", "measured"], pure: false },
-    Rule { module: "app", may_use: &["geom", "brdf", "measured", "fit", "figure", "files", "gpu"], pure: false },
-    Rule { module: "cli", may_use: &["geom", "brdf", "measured", "fit", "figure", "files", "gpu", "app"], pure: false },
+    Rule {
+        module: "geom",
+        may_use: &[],
+        pure: true,
+    },
+    Rule {
+        module: "brdf",
+        may_use: &["geom"],
+        pure: true,
+    },
+    Rule {
+        module: "measured",
+        may_use: &["geom"],
+        pure: true,
+    },
+    Rule {
+        module: "fit",
+        may_use: &["geom", "brdf", "measured"],
+        pure: true,
+    },
+    Rule {
+        module: "figure",
+        may_use: &["geom", "brdf", "measured"],
+        pure: true,
+    },
+    Rule {
+        module: "files",
+        may_use: &["geom", "brdf", "measured"],
+        pure: false,
+    },
+    Rule {
+        module: "gpu",
+        may_use: &["geom", "brdf", "measured"],
+        pure: false,
+    },
+    Rule {
+        module: "app",
+        may_use: &["geom", "brdf", "measured", "fit", "figure", "files", "gpu"],
+        pure: false,
+    },
+    Rule {
+        module: "cli",
+        may_use: &[
+            "geom", "brdf", "measured", "fit", "figure", "files", "gpu", "app",
+        ],
+        pure: false,
+    },
 ];
 
 /// What a pure module must not know.
-const IMPURE: [&str; 8] =
-    ["egui", "eframe", "wgpu", "winit", "std::fs", "std::thread", "std::time", "std::env"];
+const IMPURE: [&str; 8] = [
+    "egui",
+    "eframe",
+    "wgpu",
+    "winit",
+    "std::fs",
+    "std::thread",
+    "std::time",
+    "std::env",
+];
 
 /// What is wrong with a file of a module, one line each.
 fn complaints(rule: &Rule, path: &str, text: &str) -> Vec<String> {
@@ -36,19 +82,27 @@ fn complaints(rule: &Rule, path: &str, text: &str) -> Vec<String> {
             let named = names(code, &format!("crate::{}", other.module))
                 || names(code, &format!("grazing::{}", other.module));
             if named && !rule.may_use.contains(&other.module) {
-                found.push(format!("{at}: {} must not use {}", rule.module, other.module));
+                found.push(format!(
+                    "{at}: {} must not use {}",
+                    rule.module, other.module
+                ));
             }
         }
         for impure in IMPURE {
             if rule.pure && names(code, impure) {
-                found.push(format!("{at}: {} is pure and must not use {impure}", rule.module));
+                found.push(format!(
+                    "{at}: {} is pure and must not use {impure}",
+                    rule.module
+                ));
             }
         }
         if rule.module == "gpu" && (names(code, "egui") || names(code, "eframe")) {
             found.push(format!("{at}: gpu must not use egui"));
         }
         if rule.module != "app" && code.contains("use crate::{") && !code.contains("};") {
-            found.push(format!("{at}: name each module in a `use crate::…` line of its own"));
+            found.push(format!(
+                "{at}: name each module in a `use crate::…` line of its own"
+            ));
         }
     }
     found
@@ -97,7 +151,10 @@ fn every_module_has_a_rule() {
     for entry in fs::read_dir(src).expect("src").filter_map(Result::ok) {
         let name = entry.file_name().display().to_string();
         if entry.path().is_dir() {
-            assert!(RULES.iter().any(|rule| rule.module == name), "{name} has no rule in this test");
+            assert!(
+                RULES.iter().any(|rule| rule.module == name),
+                "{name} has no rule in this test"
+            );
         }
     }
 }
@@ -105,17 +162,33 @@ fn every_module_has_a_rule() {
 #[test]
 fn files_stay_short_enough_to_read() {
     let mut files = Vec::new();
-    rust_files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut files);
+    rust_files(
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join("src"),
+        &mut files,
+    );
     for path in files {
-        let lines = fs::read_to_string(&path).expect("a source file").lines().count();
-        assert!(lines <= 400, "{} has {lines} lines: look for the seam", path.display());
+        let lines = fs::read_to_string(&path)
+            .expect("a source file")
+            .lines()
+            .count();
+        assert!(
+            lines <= 400,
+            "{} has {lines} lines: look for the seam",
+            path.display()
+        );
     }
 }
 
 #[test]
 fn a_planted_arrow_backwards_is_caught() {
-    let rule = |module: &str| RULES.iter().find(|rule| rule.module == module).expect("a rule");
-    let caught = |module: &str, text: &str| !complaints(rule(module), "planted.rs", text).is_empty();
+    let rule = |module: &str| {
+        RULES
+            .iter()
+            .find(|rule| rule.module == module)
+            .expect("a rule")
+    };
+    let caught =
+        |module: &str, text: &str| !complaints(rule(module), "planted.rs", text).is_empty();
     assert!(caught("geom", "use crate::brdf::Model;"));
     assert!(caught("measured", "fn f() { crate::app::run(); }"));
     assert!(caught("figure", "use egui::Color32;"));

@@ -21,10 +21,15 @@ fn skip() -> bool {
 }
 
 fn window(files: Vec<PathBuf>, to_open: Vec<PathBuf>) -> Window {
-    let picker = Picker { open: Arc::new(move || to_open.clone()), save: Arc::new(|_| None) };
-    let mut window = Harness::builder().with_size([1280.0, 800.0]).with_theme(egui::Theme::Dark).wgpu().build_eframe(
-        move |cc| App::new(cc, Options { files, picker }).expect("a renderer"),
-    );
+    let picker = Picker {
+        open: Arc::new(move || to_open.clone()),
+        save: Arc::new(|_| None),
+    };
+    let mut window = Harness::builder()
+        .with_size([1280.0, 800.0])
+        .with_theme(egui::Theme::Dark)
+        .wgpu()
+        .build_eframe(move |cc| App::new(cc, Options { files, picker }).expect("a renderer"));
     settle(&mut window, |state| state.jobs.is_empty());
     window
 }
@@ -37,7 +42,11 @@ fn settle(window: &mut Window, wanted: impl Fn(&State) -> bool) {
         if wanted(window.state().state()) {
             break;
         }
-        assert!(start.elapsed() < Duration::from_secs(60), "{:?}", window.state().state().notices);
+        assert!(
+            start.elapsed() < Duration::from_secs(60),
+            "{:?}",
+            window.state().state().notices
+        );
         std::thread::sleep(Duration::from_millis(5));
     }
     window.run_steps(3);
@@ -58,7 +67,9 @@ fn click(window: &mut Window, name: &str) {
 }
 
 fn set_slider(window: &mut Window, name: &str, to: f64) {
-    window.get_by_role_and_label(Role::Slider, name).set_value_accesskit(to);
+    window
+        .get_by_role_and_label(Role::Slider, name)
+        .set_value_accesskit(to);
     window.run_steps(3);
 }
 
@@ -114,7 +125,11 @@ fn a_drag_with_the_pointer_is_one_step() {
     }
     window.drop_at(at(0.1));
     window.run_steps(3);
-    assert!(value(&window, ParamId::Alpha) < 0.2, "{}", value(&window, ParamId::Alpha));
+    assert!(
+        value(&window, ParamId::Alpha) < 0.2,
+        "{}",
+        value(&window, ParamId::Alpha)
+    );
     press(&mut window, Modifiers::COMMAND, Key::Z);
     assert_eq!(value(&window, ParamId::Alpha), before);
     assert!(!window.state().state().history.can_undo());
@@ -131,13 +146,33 @@ fn switching_the_model_keeps_the_look_and_greys_what_it_lacks() {
     let exponent = s(&window);
     click(&mut window, "Blinn-Phong");
     assert!((s(&window) / (4.0 * exponent) - 1.0).abs() < 1e-9);
-    assert!(window.get_by_role_and_label(Role::Slider, "alpha").accesskit_node().is_disabled());
+    assert!(
+        window
+            .get_by_role_and_label(Role::Slider, "alpha")
+            .accesskit_node()
+            .is_disabled()
+    );
     press(&mut window, Modifiers::COMMAND, Key::Num3);
     assert!((s(&window) / exponent - 1.0).abs() < 1e-9);
     assert_eq!(value(&window, ParamId::Alpha), 1.0);
     click(&mut window, "None");
-    assert_eq!(window.state().state().current().expect("one").1.brdf.fresnel, Fresnel::None);
-    assert!(window.get_by_role_and_label(Role::Slider, "eta").accesskit_node().is_disabled());
+    assert_eq!(
+        window
+            .state()
+            .state()
+            .current()
+            .expect("one")
+            .1
+            .brdf
+            .fresnel,
+        Fresnel::None
+    );
+    assert!(
+        window
+            .get_by_role_and_label(Role::Slider, "eta")
+            .accesskit_node()
+            .is_disabled()
+    );
 }
 
 #[test]
@@ -147,13 +182,29 @@ fn grey_moves_the_channels_as_one() {
     }
     let mut window = window(vec![], vec![]);
     set_slider(&mut window, "rho_d R", 0.7);
-    let rho_d = |window: &Window| window.state().state().current().expect("one").1.brdf.params.rho_d;
+    let rho_d = |window: &Window| {
+        window
+            .state()
+            .state()
+            .current()
+            .expect("one")
+            .1
+            .brdf
+            .params
+            .rho_d
+    };
     assert!((rho_d(&window)[0] - 0.7).abs() < 0.01 && rho_d(&window)[1] != rho_d(&window)[0]);
-    window.get_by_role_and_label(Role::CheckBox, "rho_d grey").click();
+    window
+        .get_by_role_and_label(Role::CheckBox, "rho_d grey")
+        .click();
     window.run_steps(3);
     set_slider(&mut window, "rho_d", 0.25);
     let [r, g, b] = rho_d(&window);
-    assert!(r == g && g == b && (r - 0.25).abs() < 0.01, "{:?}", rho_d(&window));
+    assert!(
+        r == g && g == b && (r - 0.25).abs() < 0.01,
+        "{:?}",
+        rho_d(&window)
+    );
 }
 
 #[test]
@@ -168,13 +219,21 @@ fn files_open_through_the_dialog_and_bad_ones_leave_the_rest() {
     std::fs::write(&bad, &std::fs::read(&good).expect("bytes")[..1000]).expect("written");
     let mut window = window(vec![], vec![good.clone(), bad.clone()]);
     press(&mut window, Modifiers::COMMAND, Key::O);
-    settle(&mut window, |state| !state.notices.is_empty() && state.jobs.is_empty());
+    settle(&mut window, |state| {
+        !state.notices.is_empty() && state.jobs.is_empty()
+    });
     let state = window.state().state();
     assert_eq!(state.scene.opened.len(), 2);
     assert_eq!(state.current().expect("one").0.name, "made-up metal");
     assert_eq!(state.prefs.recent, [good]);
-    let [notice] = &state.notices[..] else { panic!("{:?}", state.notices) };
-    assert!(notice.level == Level::Error && notice.text.contains("cut off.binary"), "{}", notice.text);
+    let [notice] = &state.notices[..] else {
+        panic!("{:?}", state.notices)
+    };
+    assert!(
+        notice.level == Level::Error && notice.text.contains("cut off.binary"),
+        "{}",
+        notice.text
+    );
     assert_eq!(notice.text.lines().count(), 1);
     window.get_by_label("Close notice").click();
     window.run_steps(3);
@@ -183,7 +242,10 @@ fn files_open_through_the_dialog_and_bad_ones_leave_the_rest() {
     click(&mut window, "Close made-up metal");
     assert_eq!(window.state().state().scene.opened.len(), 1);
     press(&mut window, Modifiers::COMMAND, Key::Z);
-    assert_eq!(window.state().state().current().expect("one").0.name, "made-up metal");
+    assert_eq!(
+        window.state().state().current().expect("one").0.name,
+        "made-up metal"
+    );
 }
 
 #[test]
@@ -221,7 +283,10 @@ fn dragging_on_the_sphere_moves_its_light_and_hovering_reads_it() {
     window.drop_at(at(-80.0, 20.0));
     window.run_steps(3);
     let after = lights(&window);
-    assert!(after[0].direction.x < 0.0 && after[1] == before[1], "{after:?}");
+    assert!(
+        after[0].direction.x < 0.0 && after[1] == before[1],
+        "{after:?}"
+    );
     press(&mut window, Modifiers::COMMAND, Key::Z);
     assert_eq!(lights(&window), before);
 }
@@ -234,10 +299,16 @@ fn dragging_in_the_lobes_turns_the_light() {
     let mut window = window(vec![], vec![]);
     let before = window.state().state().scene.lobes.theta_i.clone();
     window.get_by_label("theta_i 1");
-    let rect = window.get_by_role_and_label(Role::Image, "Polar lobes").rect();
+    let rect = window
+        .get_by_role_and_label(Role::Image, "Polar lobes")
+        .rect();
     // The plot says itself where the handle of the active light is.
-    let spec = grazing::figure::lobes::LobeSpec { theta_i: before.clone(), ..Default::default() };
-    let frame = grazing::figure::lobes::LobePlot::new(&spec, &[], [rect.width(), rect.height()]).frame;
+    let spec = grazing::figure::lobes::LobeSpec {
+        theta_i: before.clone(),
+        ..Default::default()
+    };
+    let frame =
+        grazing::figure::lobes::LobePlot::new(&spec, &[], [rect.width(), rect.height()]).frame;
     let point = |theta: f64| rect.min + egui::Vec2::from(frame.at(theta, 1.0));
     window.drag_at(point(-before[1]));
     window.run_steps(2);
@@ -246,7 +317,10 @@ fn dragging_in_the_lobes_turns_the_light() {
     window.drop_at(point(-0.5));
     window.run_steps(3);
     let after = &window.state().state().scene.lobes.theta_i;
-    assert!((after[1] - 0.5).abs() < 0.01 && after[0] == before[0], "{after:?}");
+    assert!(
+        (after[1] - 0.5).abs() < 0.01 && after[0] == before[0],
+        "{after:?}"
+    );
 }
 
 #[test]
@@ -256,6 +330,14 @@ fn an_idle_window_repaints_nothing() {
     }
     let mut window = window(vec![], vec![]);
     window.run_steps(10);
-    let delay = window.output().viewport_output.values().map(|output| output.repaint_delay).min();
-    assert!(delay.is_some_and(|delay| delay > Duration::from_secs(3600)), "{delay:?}");
+    let delay = window
+        .output()
+        .viewport_output
+        .values()
+        .map(|output| output.repaint_delay)
+        .min();
+    assert!(
+        delay.is_some_and(|delay| delay > Duration::from_secs(3600)),
+        "{delay:?}"
+    );
 }

@@ -8,7 +8,10 @@ pub fn symbolic(brdf: &Brdf) -> String {
         Fresnel::None => "",
         Fresnel::Exact | Fresnel::Schlick => " R_{F}(ω_{i}·ω_{h}, η)",
     };
-    format!("f_{{r}} = ρ_{{d}}/π + k_{{s}}{factor} {}", brdf.model.formula)
+    format!(
+        "f_{{r}} = ρ_{{d}}/π + k_{{s}}{factor} {}",
+        brdf.model.formula
+    )
 }
 
 /// The same with the numbers in; colours as (R, G, B), or one number where they are grey.
@@ -19,7 +22,9 @@ pub fn numeric(brdf: &Brdf) -> String {
     }
     let factor = match brdf.fresnel {
         Fresnel::None => String::new(),
-        Fresnel::Exact | Fresnel::Schlick => format!(" R_{{F}}(ω_{{i}}·ω_{{h}}, {})", number(brdf.params.eta)),
+        Fresnel::Exact | Fresnel::Schlick => {
+            format!(" R_{{F}}(ω_{{i}}·ω_{{h}}, {})", number(brdf.params.eta))
+        }
     };
     format!(
         "f_{{r}} = {}/π + {}{factor} {lobe}",
@@ -58,21 +63,44 @@ mod tests {
 
     #[test]
     fn formulas_show_the_live_numbers() {
-        let params = Params { rho_d: [0.25; 3], k_s: [1.0, 2.0, 30.0], s: 1234.0, alpha: 0.3, eta: 1.5 };
+        let params = Params {
+            rho_d: [0.25; 3],
+            k_s: [1.0, 2.0, 30.0],
+            s: 1234.0,
+            alpha: 0.3,
+            eta: 1.5,
+        };
         let model = Model::by_key("combined").expect("a model");
-        let brdf = Brdf { model, fresnel: Fresnel::Exact, params };
+        let brdf = Brdf {
+            model,
+            fresnel: Fresnel::Exact,
+            params,
+        };
         assert_eq!(
             numeric(&brdf),
             "f_{r} = 0.250/π + (1.00, 2.00, 30.0) R_{F}(ω_{i}·ω_{h}, 1.50) \
              ((1 − 0.300)(ω_{r}·ω_{o}) + 0.300(ω_{h}·n)^{4})^{1234}"
         );
-        let plain = Brdf { fresnel: Fresnel::None, model: Model::by_key("phong").expect("a model"), ..brdf };
-        assert_eq!(symbolic(&plain), "f_{r} = ρ_{d}/π + k_{s} (ω_{r}·ω_{o})^{s}");
+        let plain = Brdf {
+            fresnel: Fresnel::None,
+            model: Model::by_key("phong").expect("a model"),
+            ..brdf
+        };
+        assert_eq!(
+            symbolic(&plain),
+            "f_{r} = ρ_{d}/π + k_{s} (ω_{r}·ω_{o})^{s}"
+        );
     }
 
     #[test]
     fn numbers_have_three_digits() {
-        for (value, text) in [(0.0, "0"), (0.01234, "0.0123"), (9.876, "9.88"), (54321.0, "54321"), (2.5e7, "2.50·10^{7}")] {
+        for (value, text) in [
+            (0.0, "0"),
+            (0.01234, "0.0123"),
+            (9.876, "9.88"),
+            (54321.0, "54321"),
+            (2.5e7, "2.50·10^{7}"),
+        ] {
             assert_eq!(number(value), text);
         }
     }

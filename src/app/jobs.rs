@@ -39,11 +39,13 @@ impl Queue {
     /// Starts the worker. It ends with the queue.
     pub fn start() -> std::io::Result<Self> {
         let (sender, receiver) = channel::<Work>();
-        thread::Builder::new().name("loader".into()).spawn(move || {
-            for work in receiver {
-                work();
-            }
-        })?;
+        thread::Builder::new()
+            .name("loader".into())
+            .spawn(move || {
+                for work in receiver {
+                    work();
+                }
+            })?;
         Ok(Self(sender))
     }
 
@@ -57,8 +59,15 @@ impl Queue {
 /// Loads a material and says how it goes.
 pub fn load(job: u64, origin: Origin, cancel: &CancelFlag, outbox: &Outbox) {
     let mut progress = |fraction: f32| {
-        outbox.send(Msg::Progress { job, progress: fraction });
-        if cancel.is_set() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        outbox.send(Msg::Progress {
+            job,
+            progress: fraction,
+        });
+        if cancel.is_set() {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
     };
     let result = if progress(0.0).is_break() {
         Err(None)
@@ -75,5 +84,9 @@ pub fn load(job: u64, origin: Origin, cancel: &CancelFlag, outbox: &Outbox) {
             },
         }
     };
-    outbox.send(Msg::Loaded { job, origin, result });
+    outbox.send(Msg::Loaded {
+        job,
+        origin,
+        result,
+    });
 }

@@ -52,8 +52,14 @@ impl App {
     ///
     /// # Errors
     /// If there is no wgpu renderer, or no thread can be started.
-    pub fn new(cc: &eframe::CreationContext<'_>, options: Options) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
-        let render_state = cc.wgpu_render_state.as_ref().ok_or("the window has no wgpu renderer")?;
+    pub fn new(
+        cc: &eframe::CreationContext<'_>,
+        options: Options,
+    ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
+        let render_state = cc
+            .wgpu_render_state
+            .as_ref()
+            .ok_or("the window has no wgpu renderer")?;
         tiles::sphere_callback::install(render_state);
         set_style(&cc.egui_ctx);
         let (outbox, inbox) = Outbox::new(cc.egui_ctx.clone());
@@ -67,7 +73,10 @@ impl App {
             adapter: crate::gpu::adapter::describe(&render_state.adapter.get_info()),
             shown_theme: None,
         };
-        if let Some(prefs) = cc.storage.and_then(|storage| eframe::get_value::<Prefs>(storage, PREFS_KEY)) {
+        if let Some(prefs) = cc
+            .storage
+            .and_then(|storage| eframe::get_value::<Prefs>(storage, PREFS_KEY))
+        {
             app.state.prefs = prefs;
         }
         let first = match options.files {
@@ -83,7 +92,13 @@ impl App {
         &self.state
     }
 
-    fn handle(&mut self, ctx: &egui::Context, msg: Msg) {
+    /// Takes every tile away, so that the panels are left: what the benchmark of a frame compares with.
+    pub fn close_tiles(&mut self) {
+        self.tiles = Tiles::none();
+    }
+
+    /// Applies a message and starts what follows from it.
+    pub fn handle(&mut self, ctx: &egui::Context, msg: Msg) {
         for task in apply(&mut self.state, msg) {
             if let Task::ResetLayout = task {
                 self.tiles = Tiles::default();
@@ -107,7 +122,9 @@ impl App {
             .show(ui, |ui| model::model_ui(ui, state, out));
         let tiles = &mut self.tiles;
         let ground = egui::Frame::NONE.fill(ui.visuals().panel_fill);
-        egui::CentralPanel::no_frame().frame(ground).show(ui, |ui| tiles.ui(ui, state, out));
+        egui::CentralPanel::no_frame()
+            .frame(ground)
+            .show(ui, |ui| tiles.ui(ui, state, out));
         notices::notices_ui(ui.ctx(), state, out);
         dialogs::dialog_ui(ui.ctx(), state, &self.adapter, out);
     }
@@ -155,12 +172,18 @@ impl eframe::App for App {
 /// Runs the commands whose keys were pressed. A field that is being edited keeps the keys it understands.
 fn shortcuts(ctx: &egui::Context, state: &State, out: &mut Vec<Msg>) {
     let typing = ctx.egui_wants_keyboard_input();
-    let mut entries: Vec<_> = ENTRIES.iter().filter_map(|entry| Some((entry, entry.keys?))).collect();
+    let mut entries: Vec<_> = ENTRIES
+        .iter()
+        .filter_map(|entry| Some((entry, entry.keys?)))
+        .collect();
     // Ctrl+Z also matches while Shift is held, so the longer combinations go first.
     entries.sort_by_key(|(_, keys)| std::cmp::Reverse(usize::from(keys.modifiers.shift)));
     for (entry, keys) in entries {
         let kept = typing && (entry.place.menu == "Edit" || keys.modifiers.is_none());
-        if !kept && ctx.input_mut(|input| input.consume_shortcut(&keys)) && entry.command.is_enabled(state) {
+        if !kept
+            && ctx.input_mut(|input| input.consume_shortcut(&keys))
+            && entry.command.is_enabled(state)
+        {
             out.push(Msg::Run(entry.command));
         }
     }
@@ -169,7 +192,10 @@ fn shortcuts(ctx: &egui::Context, state: &State, out: &mut Vec<Msg>) {
 fn dropped_files(ctx: &egui::Context, out: &mut Vec<Msg>) {
     let (paths, hovering) = ctx.input(|input| {
         let dropped = &input.raw.dropped_files;
-        let paths: Vec<PathBuf> = dropped.iter().map(|file| file.path().to_path_buf()).collect();
+        let paths: Vec<PathBuf> = dropped
+            .iter()
+            .map(|file| file.path().to_path_buf())
+            .collect();
         (paths, !input.raw.hovered_files.is_empty())
     });
     if !paths.is_empty() {
@@ -177,7 +203,10 @@ fn dropped_files(ctx: &egui::Context, out: &mut Vec<Msg>) {
     }
     if hovering {
         let rect = ctx.content_rect();
-        let painter = ctx.layer_painter(egui::LayerId::new(egui::Order::Foreground, egui::Id::unique("drop")));
+        let painter = ctx.layer_painter(egui::LayerId::new(
+            egui::Order::Foreground,
+            egui::Id::unique("drop"),
+        ));
         painter.rect_filled(rect, 0.0, egui::Color32::from_black_alpha(160));
         painter.text(
             rect.center(),

@@ -28,9 +28,16 @@ pub fn run(files: Vec<PathBuf>) -> Result<(), String> {
         wgpu_options: wgpu_options(),
         ..Default::default()
     };
-    let start = Options { files, picker: Picker::system() };
-    eframe::run_native("grazing", options, Box::new(|cc| Ok(Box::new(App::new(cc, start)?))))
-        .map_err(|error| explain(&error.to_string()))
+    let start = Options {
+        files,
+        picker: Picker::system(),
+    };
+    eframe::run_native(
+        "grazing",
+        options,
+        Box::new(|cc| Ok(Box::new(App::new(cc, start)?))),
+    )
+    .map_err(|error| explain(&error.to_string()))
 }
 
 fn icon() -> egui::IconData {
@@ -41,7 +48,9 @@ fn icon() -> egui::IconData {
 fn wgpu_options() -> egui_wgpu::WgpuConfiguration {
     let mut options = egui_wgpu::WgpuConfiguration::default();
     if let egui_wgpu::WgpuSetup::CreateNew(setup) = &mut options.wgpu_setup {
-        setup.native_adapter_selector = Some(Arc::new(|adapters, surface| adapter::select(adapters, surface)));
+        setup.native_adapter_selector = Some(Arc::new(|adapters, surface| {
+            adapter::select(adapters, surface)
+        }));
         setup.device_descriptor = Arc::new(adapter::device_descriptor);
     }
     options
@@ -64,14 +73,21 @@ fn catch_missing_libraries() {
 fn explain(error: &str) -> String {
     let lower = error.to_lowercase();
     let (what, todo) = if lower.contains("xkbcommon") || lower.contains("library") {
-        ("a library that the window needs is missing", format!("Install it: {APT_LINE}"))
-    } else if lower.contains("eventloop") || lower.contains("display") && !lower.contains("surface") {
+        (
+            "a library that the window needs is missing",
+            format!("Install it: {APT_LINE}"),
+        )
+    } else if lower.contains("eventloop") || lower.contains("display") && !lower.contains("surface")
+    {
         (
             "there is no display to open a window on",
             "Start it from a desktop, or set DISPLAY or WAYLAND_DISPLAY.".to_string(),
         )
     } else {
-        ("no graphics driver works for a window", format!("Install one: {APT_LINE}"))
+        (
+            "no graphics driver works for a window",
+            format!("Install one: {APT_LINE}"),
+        )
     };
     format!("{what} ({error})\n{todo}\n{WITHOUT_WINDOW}")
 }
@@ -83,12 +99,24 @@ mod tests {
     #[test]
     fn each_failure_says_what_to_do() {
         for (error, what) in [
-            ("winit EventLoopError: neither WAYLAND_DISPLAY nor DISPLAY is set", "no display"),
-            ("WGPU error: Failed to create surface for any enabled backend", "no graphics driver"),
-            ("Library libxkbcommon-x11.so could not be loaded.", "library"),
+            (
+                "winit EventLoopError: neither WAYLAND_DISPLAY nor DISPLAY is set",
+                "no display",
+            ),
+            (
+                "WGPU error: Failed to create surface for any enabled backend",
+                "no graphics driver",
+            ),
+            (
+                "Library libxkbcommon-x11.so could not be loaded.",
+                "library",
+            ),
         ] {
             let text = explain(error);
-            assert!(text.lines().next().is_some_and(|line| line.contains(what)), "{text}");
+            assert!(
+                text.lines().next().is_some_and(|line| line.contains(what)),
+                "{text}"
+            );
             assert!(text.contains("grazing info FILE"));
         }
         assert!(explain("Library libxkbcommon-x11.so").contains("libxkbcommon-x11-0"));

@@ -45,7 +45,11 @@ impl Picker {
 /// Starts a task. None waits here.
 pub fn start(task: Task, ctx: &egui::Context, outbox: &Outbox, queue: &Queue, picker: &Picker) {
     match task {
-        Task::Load { job, origin, cancel } => {
+        Task::Load {
+            job,
+            origin,
+            cancel,
+        } => {
             let outbox = outbox.clone();
             queue.push(move || jobs::load(job, origin, &cancel, &outbox));
         }
@@ -61,7 +65,9 @@ pub fn start(task: Task, ctx: &egui::Context, outbox: &Outbox, queue: &Queue, pi
         Task::SavePicture => {
             let (outbox, save) = (outbox.clone(), Arc::clone(&picker.save));
             let arrived = move |picture| save_picture(picture, outbox, save);
-            ctx.send_viewport_cmd(egui::ViewportCommand::Screenshot(egui::ScreenshotCallback::new(arrived)));
+            ctx.send_viewport_cmd(egui::ViewportCommand::Screenshot(
+                egui::ScreenshotCallback::new(arrived),
+            ));
         }
         Task::Copy(text) => ctx.copy_text(text),
         Task::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
@@ -73,7 +79,9 @@ pub fn start(task: Task, ctx: &egui::Context, outbox: &Outbox, queue: &Queue, pi
 /// Asks where to, and writes the picture there.
 fn save_picture(picture: Arc<egui::ColorImage>, outbox: Outbox, save: Arc<SavePicker>) {
     in_thread(&outbox.clone(), "save dialog", move || {
-        let Some(path) = save("grazing.png") else { return };
+        let Some(path) = save("grazing.png") else {
+            return;
+        };
         outbox.send(match write_png(&picture, &path) {
             Ok(()) => Msg::Notify(Level::Info, format!("Saved {}", path.display())),
             Err(reason) => Msg::Notify(Level::Error, reason),
@@ -83,18 +91,27 @@ fn save_picture(picture: Arc<egui::ColorImage>, outbox: Outbox, save: Arc<SavePi
 
 fn write_png(picture: &egui::ColorImage, path: &Path) -> Result<(), String> {
     let [width, height] = picture.size.map(|n| n as u32);
-    let bytes: Vec<u8> = picture.pixels.iter().flat_map(|pixel| [pixel.r(), pixel.g(), pixel.b()]).collect();
-    let image = image::RgbImage::from_raw(width, height, bytes).ok_or("the picture has no pixels")?;
+    let bytes: Vec<u8> = picture
+        .pixels
+        .iter()
+        .flat_map(|pixel| [pixel.r(), pixel.g(), pixel.b()])
+        .collect();
+    let image =
+        image::RgbImage::from_raw(width, height, bytes).ok_or("the picture has no pixels")?;
     let mut png = std::io::Cursor::new(Vec::new());
     image
         .write_to(&mut png, image::ImageFormat::Png)
         .map_err(|error| format!("could not make the PNG: {error}"))?;
     // The dialog has asked about an existing file.
-    files::write_atomically(path, true, |file| file.write_all(png.get_ref())).map_err(|error| error.to_string())
+    files::write_atomically(path, true, |file| file.write_all(png.get_ref()))
+        .map_err(|error| error.to_string())
 }
 
 fn in_thread(outbox: &Outbox, name: &str, work: impl FnOnce() + Send + 'static) {
     if let Err(error) = thread::Builder::new().name(name.into()).spawn(work) {
-        outbox.send(Msg::Notify(Level::Error, format!("could not start a thread for the {name}: {error}")));
+        outbox.send(Msg::Notify(
+            Level::Error,
+            format!("could not start a thread for the {name}: {error}"),
+        ));
     }
 }

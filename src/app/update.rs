@@ -2,8 +2,8 @@
 
 use super::command::Command;
 use super::state::{
-    CancelFlag, Dialog, Job, LobeTile, Level, Material, MaterialId, Notice, Opened, Origin, Probe, Scene,
-    SphereTile, State,
+    CancelFlag, Dialog, Job, Level, LobeTile, Material, MaterialId, Notice, Opened, Origin, Probe,
+    Scene, SphereTile, State,
 };
 use crate::brdf::{Brdf, Fresnel, MODELS, Model, ParamId, Params};
 use crate::fit::start;
@@ -25,7 +25,11 @@ pub enum Msg {
     /// A job went on.
     Progress { job: u64, progress: f32 },
     /// A job brought a material, or one line that says why not (`None`: it was cancelled).
-    Loaded { job: u64, origin: Origin, result: Result<Loaded, Option<String>> },
+    Loaded {
+        job: u64,
+        origin: Origin,
+        result: Result<Loaded, Option<String>>,
+    },
     /// Stop a job.
     Cancel(u64),
     /// Show another open material.
@@ -33,7 +37,11 @@ pub enum Msg {
     /// Close an open material.
     Close(usize),
     /// Give a channel of a parameter a value; all channels where `channel` is `None`.
-    SetParam { id: ParamId, channel: Option<usize>, value: f64 },
+    SetParam {
+        id: ParamId,
+        channel: Option<usize>,
+        value: f64,
+    },
     /// Put a parameter back to its default.
     ResetParam(ParamId),
     /// Let the channels of a colour move as one, or apart.
@@ -71,7 +79,11 @@ impl Loaded {
     /// A table with its first guess; part of the job, as it walks the data.
     pub fn new(name: String, table: Table) -> Self {
         let brdf = start::from_table(&table);
-        Self { name, table: Arc::new(table), brdf }
+        Self {
+            name,
+            table: Arc::new(table),
+            brdf,
+        }
     }
 }
 
@@ -80,7 +92,11 @@ impl Loaded {
 #[expect(missing_docs, reason = "the line over each task names its fields")]
 pub enum Task {
     /// Load a material in the background.
-    Load { job: u64, origin: Origin, cancel: CancelFlag },
+    Load {
+        job: u64,
+        origin: Origin,
+        cancel: CancelFlag,
+    },
     /// Ask for files to open.
     PickFiles,
     /// Ask where to, and write a picture of the window.
@@ -97,13 +113,22 @@ pub enum Task {
 pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
     match msg {
         Msg::Run(command) => return run(state, command),
-        Msg::OpenFiles(paths) => return paths.into_iter().map(|path| load(state, Origin::File(path))).collect(),
+        Msg::OpenFiles(paths) => {
+            return paths
+                .into_iter()
+                .map(|path| load(state, Origin::File(path)))
+                .collect();
+        }
         Msg::Progress { job, progress } => {
             if let Some(job) = state.jobs.iter_mut().find(|other| other.id == job) {
                 job.progress = progress;
             }
         }
-        Msg::Loaded { job, origin, result } => {
+        Msg::Loaded {
+            job,
+            origin,
+            result,
+        } => {
             state.jobs.retain(|other| other.id != job);
             match result {
                 Ok(loaded) => add_material(state, origin, loaded),
@@ -133,7 +158,9 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
             forget_unreachable(state);
         }
         Msg::SetParam { id, channel, value } => edit_brdf(state, |brdf, _| {
-            let Some(row) = brdf.model.param(id) else { return };
+            let Some(row) = brdf.model.param(id) else {
+                return;
+            };
             let value = row.clamp(value);
             let values = brdf.params.get_mut(id);
             match channel {
@@ -171,11 +198,16 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
 fn run(state: &mut State, command: Command) -> Vec<Task> {
     match command {
         Command::Open => return vec![Task::PickFiles],
-        Command::OpenSample(index) if index < SAMPLES.len() => return vec![load(state, Origin::Sample(index))],
+        Command::OpenSample(index) if index < SAMPLES.len() => {
+            return vec![load(state, Origin::Sample(index))];
+        }
         Command::OpenSample(_) => {}
         Command::OpenRecent(index) => {
             let path = state.prefs.recent.get(index).cloned();
-            return path.map(|path| load(state, Origin::File(path))).into_iter().collect();
+            return path
+                .map(|path| load(state, Origin::File(path)))
+                .into_iter()
+                .collect();
         }
         Command::Close => {
             let selected = state.scene.selected;
@@ -192,7 +224,10 @@ fn run(state: &mut State, command: Command) -> Vec<Task> {
             history.redo(scene);
         }
         Command::GuessParams => {
-            let Some(table) = state.current().map(|(material, _)| Arc::clone(&material.table)) else {
+            let Some(table) = state
+                .current()
+                .map(|(material, _)| Arc::clone(&material.table))
+            else {
                 return Vec::new();
             };
             edit_brdf(state, |brdf, _| {
@@ -213,7 +248,11 @@ fn run(state: &mut State, command: Command) -> Vec<Task> {
         Command::UseFresnel(fresnel) => edit_brdf(state, |brdf, _| change_fresnel(brdf, fresnel)),
         Command::NextMaterial | Command::PreviousMaterial => {
             let count = state.scene.opened.len();
-            let step = if command == Command::NextMaterial { 1 } else { count.saturating_sub(1) };
+            let step = if command == Command::NextMaterial {
+                1
+            } else {
+                count.saturating_sub(1)
+            };
             if count > 0 {
                 let next = (state.scene.selected + step) % count;
                 return apply(state, Msg::Select(next));
@@ -226,15 +265,23 @@ fn run(state: &mut State, command: Command) -> Vec<Task> {
             }
         }),
         Command::UseScale(scale) => edit(state, |scene| scene.lobes.scale = scale),
-        Command::ToggleCosine => edit(state, |scene| scene.lobes.with_cosine = !scene.lobes.with_cosine),
+        Command::ToggleCosine => edit(state, |scene| {
+            scene.lobes.with_cosine = !scene.lobes.with_cosine
+        }),
         Command::ToggleRaw => edit(state, |scene| {
-            scene.lookup = if scene.lookup == Lookup::Nearest { Lookup::Smooth } else { Lookup::Nearest };
+            scene.lookup = if scene.lookup == Lookup::Nearest {
+                Lookup::Smooth
+            } else {
+                Lookup::Nearest
+            };
         }),
         Command::UseTheme(theme) => state.prefs.theme = theme,
         Command::ResetLayout => return vec![Task::ResetLayout],
         Command::CopyParams => {
             if let Some((_, opened)) = state.current() {
-                return vec![Task::Copy(crate::brdf::json::to_value(&opened.brdf).to_string())];
+                return vec![Task::Copy(
+                    crate::brdf::json::to_value(&opened.brdf).to_string(),
+                )];
             }
         }
         Command::ClearRecent => state.prefs.recent.clear(),
@@ -283,11 +330,23 @@ fn load(state: &mut State, origin: Origin) -> Task {
     let job = state.fresh_id();
     let cancel = CancelFlag::default();
     let label = match &origin {
-        Origin::File(path) => path.file_name().map_or_else(|| path.display().to_string(), |name| name.display().to_string()),
+        Origin::File(path) => path.file_name().map_or_else(
+            || path.display().to_string(),
+            |name| name.display().to_string(),
+        ),
         Origin::Sample(index) => SAMPLES[*index].name.to_string(),
     };
-    state.jobs.push(Job { id: job, label, progress: 0.0, cancel: cancel.clone() });
-    Task::Load { job, origin, cancel }
+    state.jobs.push(Job {
+        id: job,
+        label,
+        progress: 0.0,
+        cancel: cancel.clone(),
+    });
+    Task::Load {
+        job,
+        origin,
+        cancel,
+    }
 }
 
 fn add_material(state: &mut State, origin: Origin, loaded: Loaded) {
@@ -295,8 +354,18 @@ fn add_material(state: &mut State, origin: Origin, loaded: Loaded) {
         state.prefs.remember(path.clone());
     }
     let id = MaterialId(state.fresh_id());
-    state.materials.insert(id, Material { name: loaded.name, origin, table: loaded.table });
-    let opened = Opened { id, brdf: loaded.brdf };
+    state.materials.insert(
+        id,
+        Material {
+            name: loaded.name,
+            origin,
+            table: loaded.table,
+        },
+    );
+    let opened = Opened {
+        id,
+        brdf: loaded.brdf,
+    };
     let add = |scene: &mut Scene| {
         scene.opened.push(opened);
         scene.selected = scene.opened.len() - 1;
@@ -315,7 +384,12 @@ fn add_material(state: &mut State, origin: Origin, loaded: Loaded) {
 
 /// Drops the data that neither the scene nor any step of its history shows.
 fn forget_unreachable(state: &mut State) {
-    let State { materials, history, scene, .. } = state;
+    let State {
+        materials,
+        history,
+        scene,
+        ..
+    } = state;
     let reachable: std::collections::BTreeSet<MaterialId> = history
         .states()
         .chain([&*scene])

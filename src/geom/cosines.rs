@@ -97,7 +97,11 @@ mod tests {
     fn powers_equal_powers_of_the_cosine() {
         for cos in [1.0, 0.999, 0.5, 0.01] {
             for exponent in [0.1, 1.0, 50.0] {
-                let a = Cosine { cos, versine: 1.0 - cos }.pow(exponent);
+                let a = Cosine {
+                    cos,
+                    versine: 1.0 - cos,
+                }
+                .pow(exponent);
                 let b = f64::powf(cos, exponent);
                 assert!(
                     (a - b).abs() <= 1e-12 * b.abs(),
@@ -105,7 +109,10 @@ mod tests {
                 );
             }
         }
-        let right_angle = Cosine { cos: 0.0, versine: 1.0 };
+        let right_angle = Cosine {
+            cos: 0.0,
+            versine: 1.0,
+        };
         assert_eq!(right_angle.pow(0.1), 0.0);
     }
 }

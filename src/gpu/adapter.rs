@@ -22,7 +22,9 @@ pub enum Rank {
 pub fn rank(info: &AdapterInfo) -> Rank {
     let name = info.name.to_lowercase();
     let software = info.device_type == DeviceType::Cpu
-        || ["llvmpipe", "softpipe", "swiftshader", "software"].iter().any(|word| name.contains(word));
+        || ["llvmpipe", "softpipe", "swiftshader", "software"]
+            .iter()
+            .any(|word| name.contains(word));
     match (software, info.backend) {
         (false, Backend::Gl) => Rank::Gl,
         (false, _) => Rank::Modern,
@@ -36,7 +38,9 @@ pub fn rank(info: &AdapterInfo) -> Rank {
 /// # Errors
 /// Names the adapters that were tried and why each failed.
 pub fn select(adapters: &[Adapter], surface: Option<&Surface<'_>>) -> Result<Adapter, String> {
-    let wanted = std::env::var(ADAPTER_NAME).unwrap_or_default().to_lowercase();
+    let wanted = std::env::var(ADAPTER_NAME)
+        .unwrap_or_default()
+        .to_lowercase();
     let mut candidates: Vec<&Adapter> = adapters
         .iter()
         .filter(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted))
@@ -108,12 +112,17 @@ pub struct Gpu {
 /// # Errors
 /// As [`select`].
 pub fn headless() -> Result<Gpu, String> {
-    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+    let instance =
+        wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
     let adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()));
     let adapter = select(&adapters, None)?;
     let (device, queue) = pollster::block_on(adapter.request_device(&device_descriptor(&adapter)))
         .map_err(|error| error.to_string())?;
-    Ok(Gpu { info: adapter.get_info(), device, queue })
+    Ok(Gpu {
+        info: adapter.get_info(),
+        device,
+        queue,
+    })
 }
 
 #[cfg(test)]
@@ -121,7 +130,10 @@ mod tests {
     use super::*;
 
     fn info(name: &str, device_type: DeviceType, backend: Backend) -> AdapterInfo {
-        AdapterInfo { name: name.into(), ..AdapterInfo::new(device_type, backend) }
+        AdapterInfo {
+            name: name.into(),
+            ..AdapterInfo::new(device_type, backend)
+        }
     }
 
     #[test]
@@ -134,12 +146,18 @@ mod tests {
         ];
         list.sort_by_key(rank);
         let order: Vec<_> = list.iter().map(rank).collect();
-        assert_eq!(order, [Rank::Modern, Rank::Gl, Rank::Software, Rank::SoftwareGl]);
+        assert_eq!(
+            order,
+            [Rank::Modern, Rank::Gl, Rank::Software, Rank::SoftwareGl]
+        );
     }
 
     #[test]
     fn software_is_named_as_such() {
         let text = describe(&info("llvmpipe", DeviceType::Cpu, Backend::Vulkan));
-        assert!(text.contains("llvmpipe") && text.contains("software"), "{text}");
+        assert!(
+            text.contains("llvmpipe") && text.contains("software"),
+            "{text}"
+        );
     }
 }

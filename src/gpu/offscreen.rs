@@ -10,8 +10,16 @@ pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 ///
 /// # Errors
 /// If the device is lost on the way.
-pub fn render(gpu: &Gpu, size: u32, draw: impl FnOnce(&mut wgpu::RenderPass<'_>)) -> Result<RgbaImage, String> {
-    let extent = wgpu::Extent3d { width: size, height: size, depth_or_array_layers: 1 };
+pub fn render(
+    gpu: &Gpu,
+    size: u32,
+    draw: impl FnOnce(&mut wgpu::RenderPass<'_>),
+) -> Result<RgbaImage, String> {
+    let extent = wgpu::Extent3d {
+        width: size,
+        height: size,
+        depth_or_array_layers: 1,
+    };
     let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: Some("offscreen"),
         size: extent,
@@ -52,18 +60,28 @@ pub fn render(gpu: &Gpu, size: u32, draw: impl FnOnce(&mut wgpu::RenderPass<'_>)
         texture.as_image_copy(),
         wgpu::TexelCopyBufferInfo {
             buffer: &buffer,
-            layout: wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None },
+            layout: wgpu::TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(row),
+                rows_per_image: None,
+            },
         },
         extent,
     );
     gpu.queue.submit([encoder.finish()]);
     buffer.slice(..).map_async(wgpu::MapMode::Read, |_| {});
-    gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| error.to_string())?;
-    let mapped = buffer.slice(..).get_mapped_range().map_err(|error| error.to_string())?;
+    gpu.device
+        .poll(wgpu::PollType::wait_indefinitely())
+        .map_err(|error| error.to_string())?;
+    let mapped = buffer
+        .slice(..)
+        .get_mapped_range()
+        .map_err(|error| error.to_string())?;
     let pixels: Vec<u8> = mapped
         .chunks_exact(row as usize)
         .flat_map(|line| &line[..4 * size as usize])
         .copied()
         .collect();
-    RgbaImage::from_raw(size, size, pixels).ok_or_else(|| "the picture has the wrong size".to_string())
+    RgbaImage::from_raw(size, size, pixels)
+        .ok_or_else(|| "the picture has the wrong size".to_string())
 }

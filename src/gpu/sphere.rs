@@ -32,7 +32,10 @@ pub struct SphereView {
 impl Default for SphereView {
     /// The poster's pair of lights at 0 stops.
     fn default() -> Self {
-        Self { lights: poster_lights(), exposure_stops: 0.0 }
+        Self {
+            lights: poster_lights(),
+            exposure_stops: 0.0,
+        }
     }
 }
 
@@ -54,8 +57,16 @@ pub static LIGHT_PRESETS: [LightPreset; 4] = [
         help: "The poster's pair: a glancing light from the upper right, a grazing one from the lower left",
         lights: poster_lights,
     },
-    LightPreset { name: "Glancing", help: "One light from the upper right", lights: || vec![glancing()] },
-    LightPreset { name: "Grazing", help: "One light from the lower left, behind the sphere", lights: || vec![grazing()] },
+    LightPreset {
+        name: "Glancing",
+        help: "One light from the upper right",
+        lights: || vec![glancing()],
+    },
+    LightPreset {
+        name: "Grazing",
+        help: "One light from the lower left, behind the sphere",
+        lights: || vec![grazing()],
+    },
     LightPreset {
         name: "From the viewer",
         help: "One light beside the viewer's eye",
@@ -76,7 +87,10 @@ fn grazing() -> Light {
 }
 
 fn light(x: f64, y: f64, z: f64) -> Light {
-    Light { direction: DVec3::new(x, y, z).normalize(), strength: [1.0; 3] }
+    Light {
+        direction: DVec3::new(x, y, z).normalize(),
+        strength: [1.0; 3],
+    }
 }
 
 /// Towards the viewer.
@@ -93,7 +107,9 @@ pub fn normal_at(x: f64, y: f64) -> Option<DVec3> {
 /// The frame is turned such that wo has azimuth 0.
 pub fn local_directions(x: f64, y: f64, light: &Light) -> Option<(DVec3, DVec3)> {
     let n = normal_at(x, y)?;
-    let tangent = (VIEW - n * n.z).try_normalize().unwrap_or_else(|| n.any_orthonormal_vector());
+    let tangent = (VIEW - n * n.z)
+        .try_normalize()
+        .unwrap_or_else(|| n.any_orthonormal_vector());
     let bitangent = n.cross(tangent);
     let local = |w: DVec3| DVec3::new(w.dot(tangent), w.dot(bitangent), w.dot(n));
     Some((local(light.direction), local(VIEW)))
@@ -154,8 +170,12 @@ mod tests {
 
     #[test]
     fn the_posters_lights_are_glancing_and_grazing() {
-        let [glancing, grazing] = poster_lights()[..] else { panic!("two lights") };
-        assert!(glancing.direction.x > 0.0 && glancing.direction.y > 0.0 && glancing.direction.z > 0.0);
+        let [glancing, grazing] = poster_lights()[..] else {
+            panic!("two lights")
+        };
+        assert!(
+            glancing.direction.x > 0.0 && glancing.direction.y > 0.0 && glancing.direction.z > 0.0
+        );
         assert!(grazing.direction.x < 0.0 && grazing.direction.y < 0.0);
         // At its highlight the grazing light comes in at more than 50° from the normal, the glancing one at less.
         let theta = |light: &Light| 0.5 * light.direction.z.acos().to_degrees();

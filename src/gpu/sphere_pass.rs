@@ -157,11 +157,20 @@ impl SpherePass {
             label: Some("sphere"),
             layout: &self.layout,
             entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: uniform.as_entire_binding() },
-                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&table.view) },
+                wgpu::BindGroupEntry {
+                    binding: 0,
+                    resource: uniform.as_entire_binding(),
+                },
+                wgpu::BindGroupEntry {
+                    binding: 1,
+                    resource: wgpu::BindingResource::TextureView(&table.view),
+                },
             ],
         });
-        SphereSlot { uniform, bind_group }
+        SphereSlot {
+            uniform,
+            bind_group,
+        }
     }
 
     /// Draws a slot over the whole viewport of a pass.

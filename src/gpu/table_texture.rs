@@ -16,12 +16,21 @@ impl TableTexture {
     /// Uploads a table: 16 bytes a cell, 23 MB for the usual file.
     pub fn upload(device: &wgpu::Device, queue: &wgpu::Queue, table: &Table) -> Self {
         let width = table.grid().phi_d_bins();
-        let texture = create(device, width as u32, THETA_D_BINS as u32, THETA_H_BINS as u32);
+        let texture = create(
+            device,
+            width as u32,
+            THETA_D_BINS as u32,
+            THETA_H_BINS as u32,
+        );
         let layer_cells = width * THETA_D_BINS;
         let mut texels = vec![[0.0f32; 4]; layer_cells];
         for (layer, cells) in table.cells().chunks_exact(layer_cells).enumerate() {
             for (texel, [r, g, b]) in texels.iter_mut().zip(cells) {
-                *texel = if r.is_nan() { [0.0; 4] } else { [*r, *g, *b, 1.0] };
+                *texel = if r.is_nan() {
+                    [0.0; 4]
+                } else {
+                    [*r, *g, *b, 1.0]
+                };
             }
             write_layer(queue, &texture, layer as u32, &texels);
         }
@@ -49,7 +58,11 @@ impl TableTexture {
 fn create(device: &wgpu::Device, width: u32, height: u32, layers: u32) -> wgpu::Texture {
     device.create_texture(&wgpu::TextureDescriptor {
         label: Some("table"),
-        size: wgpu::Extent3d { width, height, depth_or_array_layers: layers },
+        size: wgpu::Extent3d {
+            width,
+            height,
+            depth_or_array_layers: layers,
+        },
         mip_level_count: 1,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
@@ -65,11 +78,23 @@ fn write_layer(queue: &wgpu::Queue, texture: &wgpu::Texture, layer: u32, texels:
         wgpu::TexelCopyTextureInfo {
             texture,
             mip_level: 0,
-            origin: wgpu::Origin3d { x: 0, y: 0, z: layer },
+            origin: wgpu::Origin3d {
+                x: 0,
+                y: 0,
+                z: layer,
+            },
             aspect: wgpu::TextureAspect::All,
         },
         bytemuck::cast_slice(texels),
-        wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(16 * width), rows_per_image: Some(height) },
-        wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        wgpu::TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: Some(16 * width),
+            rows_per_image: Some(height),
+        },
+        wgpu::Extent3d {
+            width,
+            height,
+            depth_or_array_layers: 1,
+        },
     );
 }

@@ -5,11 +5,12 @@
 pub mod grid;
 pub mod lookup;
 pub mod merl;
-pub mod stats;
 pub mod samples;
+pub mod stats;
 pub mod table;
 
 pub use grid::Grid;
 pub use lookup::Lookup;
+pub use samples::{SAMPLES, Sample};
 pub use stats::ChannelStats;
 pub use table::Table;

@@ -12,13 +12,21 @@ pub fn gpu() -> Option<Gpu> {
     }
     match headless() {
         Ok(gpu) => Some(gpu),
-        Err(reason) => panic!("no graphics adapter ({reason}); install mesa-vulkan-drivers or set SKIP_GPU=1"),
+        Err(reason) => {
+            panic!("no graphics adapter ({reason}); install mesa-vulkan-drivers or set SKIP_GPU=1")
+        }
     }
 }
 
 /// Runs `fn item(index: u32) -> vec4f` of a shader for every index; the shader reads `inputs: array<vec4f>` and
 /// may read `table`.
-pub fn evaluate(gpu: &Gpu, shader: &str, inputs: &[[f32; 4]], count: usize, table: Option<&TableTexture>) -> Vec<[f32; 4]> {
+pub fn evaluate(
+    gpu: &Gpu,
+    shader: &str,
+    inputs: &[[f32; 4]],
+    count: usize,
+    table: Option<&TableTexture>,
+) -> Vec<[f32; 4]> {
     let source = format!(
         "{shader}
 @group(0) @binding(0) var<storage, read> inputs: array<vec4f>;
@@ -44,19 +52,39 @@ pub fn evaluate(gpu: &Gpu, shader: &str, inputs: &[[f32; 4]], count: usize, tabl
         cache: None,
     });
     let buffer = |size: usize, usage| {
-        device.create_buffer(&wgpu::BufferDescriptor { label: None, size: size as u64, usage, mapped_at_creation: false })
+        device.create_buffer(&wgpu::BufferDescriptor {
+            label: None,
+            size: size as u64,
+            usage,
+            mapped_at_creation: false,
+        })
     };
-    let input = buffer(size_of_val(inputs), wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST);
+    let input = buffer(
+        size_of_val(inputs),
+        wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
+    );
     queue.write_buffer(&input, 0, bytemuck::cast_slice(inputs));
-    let output = buffer(16 * count, wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC);
-    let readback = buffer(16 * count, wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
+    let output = buffer(
+        16 * count,
+        wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
+    );
+    let readback = buffer(
+        16 * count,
+        wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
+    );
     let empty = TableTexture::empty(device, queue);
     let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: None,
         layout: &pipeline.get_bind_group_layout(0),
         entries: &[
-            wgpu::BindGroupEntry { binding: 0, resource: input.as_entire_binding() },
-            wgpu::BindGroupEntry { binding: 1, resource: output.as_entire_binding() },
+            wgpu::BindGroupEntry {
+                binding: 0,
+                resource: input.as_entire_binding(),
+            },
+            wgpu::BindGroupEntry {
+                binding: 1,
+                resource: output.as_entire_binding(),
+            },
             wgpu::BindGroupEntry {
                 binding: 2,
                 resource: wgpu::BindingResource::TextureView(&table.unwrap_or(&empty).view),
@@ -73,7 +101,9 @@ pub fn evaluate(gpu: &Gpu, shader: &str, inputs: &[[f32; 4]], count: usize, tabl
     encoder.copy_buffer_to_buffer(&output, 0, &readback, 0, 16 * count as u64);
     queue.submit([encoder.finish()]);
     readback.slice(..).map_async(wgpu::MapMode::Read, |_| {});
-    device.poll(wgpu::PollType::wait_indefinitely()).expect("the device answers");
+    device
+        .poll(wgpu::PollType::wait_indefinitely())
+        .expect("the device answers");
     let mapped = readback.slice(..).get_mapped_range().expect("mapped");
     bytemuck::cast_slice(&mapped).to_vec()
 }
@@ -110,7 +140,11 @@ pub fn write_merl(path: &std::path::Path) {
         for index in 0..grid.len() {
             let (h, d, phi) = grid.bins(index);
             let c = grid.center(h, d, phi).cosines();
-            let stored: f64 = if c.above_horizon() { 0.1 * 1500.0 / scale } else { -1.0 };
+            let stored: f64 = if c.above_horizon() {
+                0.1 * 1500.0 / scale
+            } else {
+                -1.0
+            };
             bytes.extend(stored.to_le_bytes());
         }
     }

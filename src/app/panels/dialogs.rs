@@ -49,21 +49,26 @@ fn palette_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
         chosen = found.first().copied();
     }
     ui.add_space(6.0);
-    egui::ScrollArea::vertical().max_height(360.0).auto_shrink([false, false]).show(ui, |ui| {
-        for (index, entry) in found.iter().enumerate() {
-            let mut button = egui::Button::new(title(entry)).selected(index == 0).frame_when_inactive(index == 0);
-            if let Some(keys) = &entry.keys {
-                button = button.shortcut_text(ui.ctx().format_shortcut(keys));
+    egui::ScrollArea::vertical()
+        .max_height(360.0)
+        .auto_shrink([false, false])
+        .show(ui, |ui| {
+            for (index, entry) in found.iter().enumerate() {
+                let mut button = egui::Button::new(title(entry))
+                    .selected(index == 0)
+                    .frame_when_inactive(index == 0);
+                if let Some(keys) = &entry.keys {
+                    button = button.shortcut_text(ui.ctx().format_shortcut(keys));
+                }
+                let response = ui.add_sized([ui.available_width(), 22.0], button.right_text(""));
+                if response.on_hover_text(&entry.help).clicked() {
+                    chosen = Some(entry);
+                }
             }
-            let response = ui.add_sized([ui.available_width(), 22.0], button.right_text(""));
-            if response.on_hover_text(&entry.help).clicked() {
-                chosen = Some(entry);
+            if found.is_empty() {
+                ui.weak("No command has these words.");
             }
-        }
-        if found.is_empty() {
-            ui.weak("No command has these words.");
-        }
-    });
+        });
     if let Some(entry) = chosen {
         out.push(Msg::CloseDialog);
         out.push(Msg::Run(entry.command));
@@ -80,36 +85,62 @@ fn title(entry: &Entry) -> String {
 /// Every typed word must occur.
 fn matches(entry: &Entry, text: &str) -> bool {
     let heap = format!("{} {} {}", entry.place.menu, title(entry), entry.help).to_lowercase();
-    text.to_lowercase().split_whitespace().all(|word| heap.contains(word))
+    text.to_lowercase()
+        .split_whitespace()
+        .all(|word| heap.contains(word))
 }
 
 /// What every number and picture means, a line each: left in the markup of formulas.
 const CONVENTIONS: [(&str, &str); 11] = [
     ("n", "normal, z of the local frame"),
-    ("ω_{i}, ω_{o}", "unit vectors to the light and to the viewer"),
+    (
+        "ω_{i}, ω_{o}",
+        "unit vectors to the light and to the viewer",
+    ),
     ("ω_{r} = 2(ω_{i}·n)n − ω_{i}", "mirror direction"),
     ("ω_{h} = (ω_{i}+ω_{o})/|ω_{i}+ω_{o}|", "half vector"),
-    ("θ_{i}, θ_{o}", "angles from the normal; light on the left, mirror direction on the right"),
-    ("θ_{h}, θ_{d}, φ_{d}", "half and difference angles; φ_{d} folded by +π into [0°, 180°)"),
+    (
+        "θ_{i}, θ_{o}",
+        "angles from the normal; light on the left, mirror direction on the right",
+    ),
+    (
+        "θ_{h}, θ_{d}, φ_{d}",
+        "half and difference angles; φ_{d} folded by +π into [0°, 180°)",
+    ),
     ("f_{r}", "BRDF in sr^{-1}, without the cosine, linear RGB"),
-    ("k_{s}", "specular amplitude; Phong: ρ_{s}(s+2)/(2π), Blinn-Phong: ρ_{s}(s+8)/(8π)"),
-    ("R_{F}(ω_{i}·ω_{h}, η)", "unpolarised dielectric Fresnel reflectance on the specular term"),
-    ("not measured", "a cell with a negative or non-finite channel: a gap or a hatch, never 0"),
-    ("0 stops", "a white diffuse surface facing a light of strength 1 is just white; sRGB, no tone map"),
+    (
+        "k_{s}",
+        "specular amplitude; Phong: ρ_{s}(s+2)/(2π), Blinn-Phong: ρ_{s}(s+8)/(8π)",
+    ),
+    (
+        "R_{F}(ω_{i}·ω_{h}, η)",
+        "unpolarised dielectric Fresnel reflectance on the specular term",
+    ),
+    (
+        "not measured",
+        "a cell with a negative or non-finite channel: a gap or a hatch, never 0",
+    ),
+    (
+        "0 stops",
+        "a white diffuse surface facing a light of strength 1 is just white; sRGB, no tone map",
+    ),
 ];
 
 fn conventions_ui(ui: &mut egui::Ui) {
     ui.set_width(560.0);
     ui.heading("Conventions");
     ui.add_space(6.0);
-    egui::Grid::new("conventions").num_columns(2).spacing([18.0, 7.0]).show(ui, |ui| {
-        for (symbol, meaning) in CONVENTIONS {
-            let (strong, plain) = (ui.visuals().strong_text_color(), ui.visuals().text_color());
-            ui.label(rich_text_job(&RichText::parse(symbol), 14.0, strong));
-            ui.label(rich_text_job(&RichText::parse(meaning), 13.0, plain));
-            ui.end_row();
-        }
-    });
+    egui::Grid::new("conventions")
+        .num_columns(2)
+        .spacing([18.0, 7.0])
+        .show(ui, |ui| {
+            for (symbol, meaning) in CONVENTIONS {
+                let (strong, plain) = (ui.visuals().strong_text_color(), ui.visuals().text_color());
+                ui.label(rich_text_job(&RichText::parse(symbol), 14.0, strong));
+                ui.label(rich_text_job(&RichText::parse(meaning), 13.0, plain));
+                ui.end_row();
+            }
+        });
 }
 
 fn about_ui(ui: &mut egui::Ui, adapter: &str) {
@@ -120,14 +151,17 @@ fn about_ui(ui: &mut egui::Ui, adapter: &str) {
     ui.add_space(8.0);
     ui.label("Model and fit: J. B. Nielsen, J. R. Frisvad, K. Conradsen, H. Aanæs, Addressing Grazing Angle Reflections in Phong Models, SIGGRAPH Asia 2014.");
     ui.add_space(8.0);
-    egui::Grid::new("about").num_columns(2).spacing([18.0, 5.0]).show(ui, |ui| {
-        ui.weak("Graphics");
-        ui.label(adapter);
-        ui.end_row();
-        ui.weak("Licence");
-        ui.label(env!("CARGO_PKG_LICENSE"));
-        ui.end_row();
-    });
+    egui::Grid::new("about")
+        .num_columns(2)
+        .spacing([18.0, 5.0])
+        .show(ui, |ui| {
+            ui.weak("Graphics");
+            ui.label(adapter);
+            ui.end_row();
+            ui.weak("Licence");
+            ui.label(env!("CARGO_PKG_LICENSE"));
+            ui.end_row();
+        });
 }
 
 /// One muted sentence in the middle of an empty tile.

@@ -14,7 +14,10 @@ pub fn menu_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
 }
 
 fn entries_ui(ui: &mut egui::Ui, menu: &str, state: &State, out: &mut Vec<Msg>) {
-    let entries: Vec<&Entry> = ENTRIES.iter().filter(|entry| entry.place.menu == menu).collect();
+    let entries: Vec<&Entry> = ENTRIES
+        .iter()
+        .filter(|entry| entry.place.menu == menu)
+        .collect();
     for group in entries.chunk_by(|a, b| a.place == b.place) {
         let submenu = group[0].place.submenu;
         if submenu.is_empty() {
@@ -52,8 +55,16 @@ fn recent_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     ui.add_enabled_ui(!state.prefs.recent.is_empty(), |ui| {
         ui.menu_button("Open recent", |ui| {
             for (index, path) in state.prefs.recent.iter().enumerate() {
-                let name = path.file_name().unwrap_or(path.as_os_str()).display().to_string();
-                if ui.button(name).on_hover_text(path.display().to_string()).clicked() {
+                let name = path
+                    .file_name()
+                    .unwrap_or(path.as_os_str())
+                    .display()
+                    .to_string();
+                if ui
+                    .button(name)
+                    .on_hover_text(path.display().to_string())
+                    .clicked()
+                {
                     out.push(Msg::Run(Command::OpenRecent(index)));
                 }
             }

@@ -23,28 +23,39 @@ pub fn model_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
         return;
     };
     let brdf = &opened.brdf;
-    egui::ScrollArea::vertical().auto_shrink([false, true]).show(ui, |ui| {
-        choices_ui(ui, state, out);
-        ui.add_space(6.0);
-        formula_ui(ui, brdf);
-        ui.add_space(6.0);
-        for row in &params::ALL {
-            // The model's own row where it has one: ranges differ. The rest is shown greyed.
-            let row = brdf.model.param(row.id).unwrap_or(row);
-            ui.add_enabled_ui(brdf.uses(row.id), |ui| param_ui(ui, &state.scene, brdf, row, out));
-            ui.add_space(4.0);
-        }
-        ui.separator();
-        derived_ui(ui, brdf);
-        ui.add_space(6.0);
-        ui.horizontal(|ui| {
-            for (command, name) in [(Command::GuessParams, "Guess from data"), (Command::ResetParams, "Reset")] {
-                if ui.button(name).on_hover_text(command.hint(ui.ctx())).clicked() {
-                    out.push(Msg::Run(command));
-                }
+    egui::ScrollArea::vertical()
+        .auto_shrink([false, true])
+        .show(ui, |ui| {
+            choices_ui(ui, state, out);
+            ui.add_space(6.0);
+            formula_ui(ui, brdf);
+            ui.add_space(6.0);
+            for row in &params::ALL {
+                // The model's own row where it has one: ranges differ. The rest is shown greyed.
+                let row = brdf.model.param(row.id).unwrap_or(row);
+                ui.add_enabled_ui(brdf.uses(row.id), |ui| {
+                    param_ui(ui, &state.scene, brdf, row, out)
+                });
+                ui.add_space(4.0);
             }
+            ui.separator();
+            derived_ui(ui, brdf);
+            ui.add_space(6.0);
+            ui.horizontal(|ui| {
+                for (command, name) in [
+                    (Command::GuessParams, "Guess from data"),
+                    (Command::ResetParams, "Reset"),
+                ] {
+                    if ui
+                        .button(name)
+                        .on_hover_text(command.hint(ui.ctx()))
+                        .clicked()
+                    {
+                        out.push(Msg::Run(command));
+                    }
+                }
+            });
         });
-    });
 }
 
 /// The models and Fresnel factors as rows of buttons, from the command list.
@@ -54,10 +65,17 @@ fn choices_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
             if !label.is_empty() {
                 ui.label(label);
             }
-            for entry in ENTRIES.iter().filter(|e| e.place.menu == "Model" && e.place.submenu == submenu) {
+            for entry in ENTRIES
+                .iter()
+                .filter(|e| e.place.menu == "Model" && e.place.submenu == submenu)
+            {
                 let checked = entry.command.is_checked(state).unwrap_or(false);
                 let response = ui.selectable_label(checked, entry.name.as_str());
-                if response.on_hover_text(entry.command.hint(ui.ctx())).clicked() && !checked {
+                if response
+                    .on_hover_text(entry.command.hint(ui.ctx()))
+                    .clicked()
+                    && !checked
+                {
                     out.push(Msg::Run(entry.command));
                 }
             }
@@ -70,9 +88,23 @@ fn formula_ui(ui: &mut egui::Ui, brdf: &Brdf) {
         ui.set_width(ui.available_width());
         let strong = ui.visuals().strong_text_color();
         let weak = ui.visuals().text_color();
-        ui.add(egui::Label::new(rich_text_job(&RichText::parse(&formula::symbolic(brdf)), 15.0, strong)).wrap())
-            .on_hover_text(brdf.model.source);
-        ui.add(egui::Label::new(rich_text_job(&RichText::parse(&formula::numeric(brdf)), 12.5, weak)).wrap());
+        ui.add(
+            egui::Label::new(rich_text_job(
+                &RichText::parse(&formula::symbolic(brdf)),
+                15.0,
+                strong,
+            ))
+            .wrap(),
+        )
+        .on_hover_text(brdf.model.source);
+        ui.add(
+            egui::Label::new(rich_text_job(
+                &RichText::parse(&formula::numeric(brdf)),
+                12.5,
+                weak,
+            ))
+            .wrap(),
+        );
     });
 }
 
@@ -82,10 +114,18 @@ fn param_ui(ui: &mut egui::Ui, scene: &Scene, brdf: &Brdf, row: &Param, out: &mu
     let name = ui.horizontal(|ui| {
         let text = format!("{}  {}", row.symbol, row.name);
         let job = rich_text_job(&RichText::parse(&text), 13.5, ui.visuals().text_color());
-        let name = ui.add(egui::Label::new(job).selectable(false).sense(egui::Sense::click()));
+        let name = ui.add(
+            egui::Label::new(job)
+                .selectable(false)
+                .sense(egui::Sense::click()),
+        );
         let name = name.on_hover_ui(|ui| {
             ui.label(row.help);
-            let unit = if row.unit.is_empty() { String::new() } else { format!(" {}", row.unit) };
+            let unit = if row.unit.is_empty() {
+                String::new()
+            } else {
+                format!(" {}", row.unit)
+            };
             ui.weak(format!(
                 "{} to {}{unit}. Double click: {}.",
                 row.range.0, row.range.1, row.default
@@ -97,9 +137,16 @@ fn param_ui(ui: &mut egui::Ui, scene: &Scene, brdf: &Brdf, row: &Param, out: &mu
         if let Some(grey) = grey {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let mut linked = grey;
-                let toggle = ui.checkbox(&mut linked, "grey").on_hover_text("Move red, green and blue as one");
+                let toggle = ui
+                    .checkbox(&mut linked, "grey")
+                    .on_hover_text("Move red, green and blue as one");
                 toggle.widget_info(|| {
-                    egui::WidgetInfo::selected(egui::Role::CheckBox, true, grey, format!("{} grey", row.key))
+                    egui::WidgetInfo::selected(
+                        egui::Role::CheckBox,
+                        true,
+                        grey,
+                        format!("{} grey", row.key),
+                    )
                 });
                 if toggle.changed() {
                     out.push(Msg::SetGrey(row.id, linked));
@@ -115,7 +162,9 @@ fn param_ui(ui: &mut egui::Ui, scene: &Scene, brdf: &Brdf, row: &Param, out: &mu
     };
     for channel in channels {
         ui.horizontal(|ui| {
-            let label = channel.map_or(row.key.to_string(), |k| format!("{} {}", row.key, CHANNELS[k]));
+            let label = channel.map_or(row.key.to_string(), |k| {
+                format!("{} {}", row.key, CHANNELS[k])
+            });
             if let Some(k) = channel {
                 ui.monospace(CHANNELS[k]);
             }
@@ -123,9 +172,14 @@ fn param_ui(ui: &mut egui::Ui, scene: &Scene, brdf: &Brdf, row: &Param, out: &mu
             let before = value;
             let response = slider_ui(ui, row, &mut value).labelled_by(name.response.id);
             // Named for screen readers and tests.
-            ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(label.as_str()));
+            ui.ctx()
+                .accesskit_node_builder(response.id, |node| node.set_label(label.as_str()));
             if value != before {
-                out.push(Msg::SetParam { id: row.id, channel, value });
+                out.push(Msg::SetParam {
+                    id: row.id,
+                    channel,
+                    value,
+                });
             }
         });
     }
@@ -137,7 +191,9 @@ fn slider_ui(ui: &mut egui::Ui, row: &Param, value: &mut f64) -> egui::Response 
         .clamping(SliderClamping::Never)
         .custom_formatter(|value, _| plain_number(value));
     if let Scale::Log { smallest_exponent } = row.scale {
-        slider = slider.logarithmic(true).smallest_positive(10f64.powi(smallest_exponent));
+        slider = slider
+            .logarithmic(true)
+            .smallest_positive(10f64.powi(smallest_exponent));
     }
     let response = ui.add(slider);
     // A drag may pass the slider's ends by typing only; what is accepted is the row's business.
@@ -164,22 +220,40 @@ fn swatch_ui(ui: &mut egui::Ui, values: &[f64]) {
     let [r, g, b] = srgb_bytes([r / largest, g / largest, b / largest]);
     let (rect, _) = ui.allocate_exact_size(egui::vec2(26.0, 13.0), egui::Sense::hover());
     let stroke = ui.visuals().widgets.noninteractive.bg_stroke;
-    ui.painter().rect(rect, 3.0, Color32::from_rgb(r, g, b), stroke, egui::StrokeKind::Inside);
+    ui.painter().rect(
+        rect,
+        3.0,
+        Color32::from_rgb(r, g, b),
+        stroke,
+        egui::StrokeKind::Inside,
+    );
 }
 
 fn derived_ui(ui: &mut egui::Ui, brdf: &Brdf) {
     let mut rows = Vec::new();
     if let Some(rho_s) = brdf.rho_s() {
-        rows.push(("ρ_{s}", rho_s, "Specular reflectance of the normalised form with this k_s"));
+        rows.push((
+            "ρ_{s}",
+            rho_s,
+            "Specular reflectance of the normalised form with this k_s",
+        ));
     }
-    rows.push(("k_{s}·R_{F}(0)", brdf.specular_at_normal(), "Height of the lobe seen from above; as η → 1 only this product counts"));
-    egui::Grid::new("derived").num_columns(2).spacing([12.0, 3.0]).show(ui, |ui| {
-        for (symbol, values, help) in rows {
-            let color = ui.visuals().text_color();
-            ui.label(rich_text_job(&RichText::parse(symbol), 13.0, color)).on_hover_text(help);
-            let text = values.map(formula::number).join("   ");
-            ui.label(rich_text_job(&RichText::parse(&text), 13.0, color));
-            ui.end_row();
-        }
-    });
+    rows.push((
+        "k_{s}·R_{F}(0)",
+        brdf.specular_at_normal(),
+        "Height of the lobe seen from above; as η → 1 only this product counts",
+    ));
+    egui::Grid::new("derived")
+        .num_columns(2)
+        .spacing([12.0, 3.0])
+        .show(ui, |ui| {
+            for (symbol, values, help) in rows {
+                let color = ui.visuals().text_color();
+                ui.label(rich_text_job(&RichText::parse(symbol), 13.0, color))
+                    .on_hover_text(help);
+                let text = values.map(formula::number).join("   ");
+                ui.label(rich_text_job(&RichText::parse(&text), 13.0, color));
+                ui.end_row();
+            }
+        });
 }

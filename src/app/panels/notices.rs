@@ -32,7 +32,9 @@ pub fn notices_ui(ctx: &egui::Context, state: &State, out: &mut Vec<Msg>) {
                             ui.add(egui::Label::new(notice.text.as_str()).wrap());
                         });
                         let close = ui.small_button("×");
-                        close.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, "Close notice"));
+                        close.widget_info(|| {
+                            egui::WidgetInfo::labeled(egui::Role::Button, true, "Close notice")
+                        });
                         if close.clicked() {
                             out.push(Msg::Dismiss(notice.id));
                         }

@@ -11,18 +11,23 @@ pub fn status_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     ui.horizontal(|ui| {
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             jobs_ui(ui, state, out);
-            ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| match state.probe {
-                Some(probe) => probe_ui(ui, state, probe),
-                None => {
-                    ui.weak("Point at the sphere or at a lobe to read angles and values.");
-                }
-            });
+            ui.with_layout(
+                egui::Layout::left_to_right(egui::Align::Center),
+                |ui| match state.probe {
+                    Some(probe) => probe_ui(ui, state, probe),
+                    None => {
+                        ui.weak("Point at the sphere or at a lobe to read angles and values.");
+                    }
+                },
+            );
         });
     });
 }
 
 fn jobs_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
-    let Some(job) = state.jobs.first() else { return };
+    let Some(job) = state.jobs.first() else {
+        return;
+    };
     let cancel = ui.small_button("×").on_hover_text("Stop");
     cancel.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, "Stop opening"));
     if cancel.clicked() {
@@ -61,11 +66,20 @@ fn probe_ui(ui: &mut egui::Ui, state: &State, probe: Probe) {
         ));
     }
     let (measured, model) = state.values_at(probe);
-    show(&format!("measured {}", measured.map_or("not measured".into(), rgb)));
+    show(&format!(
+        "measured {}",
+        measured.map_or("not measured".into(), rgb)
+    ));
     show(&format!("model {}", model.map_or("–".into(), rgb)));
     if let (Some(measured), Some(model)) = (measured, model) {
         let ratio: Vec<String> = (0..3)
-            .map(|k| if measured[k] > 0.0 { format!("{:.2}", model[k] / measured[k]) } else { "–".into() })
+            .map(|k| {
+                if measured[k] > 0.0 {
+                    format!("{:.2}", model[k] / measured[k])
+                } else {
+                    "–".into()
+                }
+            })
             .collect();
         show(&format!("model/measured {}", ratio.join(" ")));
     }

@@ -23,7 +23,10 @@ const MAX_THETA_I: f64 = 89.0;
 pub fn lobes_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     let tile = &state.scene.lobes;
     toolbar_ui(ui, tile, out);
-    let (rect, response) = ui.allocate_exact_size(ui.available_size().max(Vec2::splat(60.0)), Sense::click_and_drag());
+    let (rect, response) = ui.allocate_exact_size(
+        ui.available_size().max(Vec2::splat(60.0)),
+        Sense::click_and_drag(),
+    );
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "Polar lobes"));
     let palette = paint::palette(ui.visuals().dark_mode);
     let size = [rect.width(), rect.height()];
@@ -36,8 +39,18 @@ pub fn lobes_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     let model = |wi: DVec3, wo: DVec3| eval(&opened.brdf, wi, wo);
     let series = state.scene.selected;
     let curves = [
-        Curve { label: material.name.clone(), dashed: false, series, f_r: &measured },
-        Curve { label: opened.brdf.model.name.to_string(), dashed: true, series, f_r: &model },
+        Curve {
+            label: material.name.clone(),
+            dashed: false,
+            series,
+            f_r: &measured,
+        },
+        Curve {
+            label: opened.brdf.model.name.to_string(),
+            dashed: true,
+            series,
+            f_r: &model,
+        },
     ];
     let plot = LobePlot::new(&spec(tile, probe_theta_o(state, tile)), &curves, size);
     paint::paint(ui.painter(), rect.min, &plot.drawing, &palette);
@@ -78,45 +91,80 @@ fn toolbar_ui(ui: &mut egui::Ui, tile: &LobeTile, out: &mut Vec<Msg>) {
     ui.horizontal_wrapped(|ui| {
         for scale in RADIAL_SCALES {
             let response = ui.selectable_label(tile.scale == scale, scale.name());
-            if response.on_hover_text(Command::UseScale(scale).hint(ui.ctx())).clicked() {
+            if response
+                .on_hover_text(Command::UseScale(scale).hint(ui.ctx()))
+                .clicked()
+            {
                 out.push(Msg::Run(Command::UseScale(scale)));
             }
         }
         ui.separator();
         let theta_i = RichText::parse("θ_{i}");
-        ui.label(paint::rich_text_job(&theta_i, 14.0, ui.visuals().text_color()));
+        ui.label(paint::rich_text_job(
+            &theta_i,
+            14.0,
+            ui.visuals().text_color(),
+        ));
         for (index, theta_i) in tile.theta_i.iter().enumerate() {
             let mut degrees = theta_i.to_degrees();
-            let drag = egui::DragValue::new(&mut degrees).speed(0.2).range(0.0..=MAX_THETA_I).suffix("°").fixed_decimals(0);
+            let drag = egui::DragValue::new(&mut degrees)
+                .speed(0.2)
+                .range(0.0..=MAX_THETA_I)
+                .suffix("°")
+                .fixed_decimals(0);
             let response = ui.add(drag).on_hover_text("Angle of incidence");
-            response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, format!("theta_i {}", index + 1)));
+            response.widget_info(|| {
+                egui::WidgetInfo::labeled(
+                    egui::Role::SpinButton,
+                    true,
+                    format!("theta_i {}", index + 1),
+                )
+            });
             if response.changed() {
                 out.push(Msg::SetLobes(with_theta_i(tile, index, degrees)));
             }
         }
         let few = tile.theta_i.len() < 5;
-        if ui.add_enabled(few, egui::Button::new("+").small()).on_hover_text("Add an angle").clicked() {
+        if ui
+            .add_enabled(few, egui::Button::new("+").small())
+            .on_hover_text("Add an angle")
+            .clicked()
+        {
             out.push(Msg::SetLobes(added(tile)));
         }
         let many = tile.theta_i.len() > 1;
-        if ui.add_enabled(many, egui::Button::new("−").small()).on_hover_text("Remove the active angle").clicked() {
+        if ui
+            .add_enabled(many, egui::Button::new("−").small())
+            .on_hover_text("Remove the active angle")
+            .clicked()
+        {
             out.push(Msg::SetLobes(removed(tile)));
         }
         ui.separator();
         let mut channel = tile.channel;
-        let menu = egui::ComboBox::from_id_salt("channel").width(92.0).selected_text(channel.name());
+        let menu = egui::ComboBox::from_id_salt("channel")
+            .width(92.0)
+            .selected_text(channel.name());
         let menu = menu.show_ui(ui, |ui| {
             for choice in CHANNELS {
                 ui.selectable_value(&mut channel, choice, choice.name());
             }
         });
-        ui.ctx().accesskit_node_builder(menu.response.id, |node| node.set_label("Channel"));
+        ui.ctx()
+            .accesskit_node_builder(menu.response.id, |node| node.set_label("Channel"));
         if channel != tile.channel {
-            out.push(Msg::SetLobes(LobeTile { channel, ..tile.clone() }));
+            out.push(Msg::SetLobes(LobeTile {
+                channel,
+                ..tile.clone()
+            }));
         }
         let mut with_cosine = tile.with_cosine;
         let hint = Command::ToggleCosine.hint(ui.ctx());
-        if ui.checkbox(&mut with_cosine, "× cos θi").on_hover_text(hint).changed() {
+        if ui
+            .checkbox(&mut with_cosine, "× cos θi")
+            .on_hover_text(hint)
+            .changed()
+        {
             out.push(Msg::Run(Command::ToggleCosine));
         }
     });
@@ -131,10 +179,16 @@ fn with_theta_i(tile: &LobeTile, index: usize, degrees: f64) -> LobeTile {
 
 /// One more angle, in the widest gap.
 fn added(tile: &LobeTile) -> LobeTile {
-    let mut stops: Vec<f64> = tile.theta_i.iter().map(|theta| theta.to_degrees()).collect();
+    let mut stops: Vec<f64> = tile
+        .theta_i
+        .iter()
+        .map(|theta| theta.to_degrees())
+        .collect();
     stops.extend([0.0, MAX_THETA_I]);
     stops.sort_by(f64::total_cmp);
-    let widest = stops.windows(2).max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
+    let widest = stops
+        .windows(2)
+        .max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
     let middle = widest.map_or(45.0, |gap| (0.5 * (gap[0] + gap[1])).round());
     let mut tile = tile.clone();
     tile.theta_i.push(middle.to_radians());
@@ -149,16 +203,28 @@ fn removed(tile: &LobeTile) -> LobeTile {
     tile
 }
 
-fn interact(ui: &egui::Ui, response: &egui::Response, state: &State, plot: &LobePlot, out: &mut Vec<Msg>) {
+fn interact(
+    ui: &egui::Ui,
+    response: &egui::Response,
+    state: &State,
+    plot: &LobePlot,
+    out: &mut Vec<Msg>,
+) {
     let tile = &state.scene.lobes;
-    let Some(pointer) = response.interact_pointer_pos().or(response.hover_pos()) else { return };
+    let Some(pointer) = response.interact_pointer_pos().or(response.hover_pos()) else {
+        return;
+    };
     let point = (pointer - response.rect.min).into();
     let id = response.id.with("grabbed");
     let near = plot.frame.nearest_light(point, GRAB);
     if response.drag_started_by(PointerButton::Primary) {
         // The pointer may have gone far between the press and the frame that calls it a drag.
-        let pressed = ui.input(|input| input.pointer.press_origin()).unwrap_or(pointer);
-        let taken = plot.frame.nearest_light((pressed - response.rect.min).into(), GRAB);
+        let pressed = ui
+            .input(|input| input.pointer.press_origin())
+            .unwrap_or(pointer);
+        let taken = plot
+            .frame
+            .nearest_light((pressed - response.rect.min).into(), GRAB);
         ui.data_mut(|data| data.insert_temp(id, taken));
     }
     if response.dragged_by(PointerButton::Primary) {
@@ -170,11 +236,18 @@ fn interact(ui: &egui::Ui, response: &egui::Response, state: &State, plot: &Lobe
     }
     if response.double_clicked() {
         let scene = Scene::default();
-        out.push(Msg::SetLobes(LobeTile { theta_i: scene.lobes.theta_i, active: scene.lobes.active, ..tile.clone() }));
+        out.push(Msg::SetLobes(LobeTile {
+            theta_i: scene.lobes.theta_i,
+            active: scene.lobes.active,
+            ..tile.clone()
+        }));
     } else if response.clicked()
         && let Some(index) = near
     {
-        out.push(Msg::SetLobes(LobeTile { active: index, ..tile.clone() }));
+        out.push(Msg::SetLobes(LobeTile {
+            active: index,
+            ..tile.clone()
+        }));
     }
     if !response.hovered() {
         return;
@@ -184,7 +257,10 @@ fn interact(ui: &egui::Ui, response: &egui::Response, state: &State, plot: &Lobe
     }
     let probe = plot.frame.theta_o_at(point).and_then(|theta_o| {
         let theta_i = *tile.theta_i.get(tile.active)?;
-        Some(Probe { wi: to_light(theta_i), wo: direction(theta_o.abs(), if theta_o < 0.0 { PI } else { 0.0 }) })
+        Some(Probe {
+            wi: to_light(theta_i),
+            wo: direction(theta_o.abs(), if theta_o < 0.0 { PI } else { 0.0 }),
+        })
     });
     if probe != state.probe {
         out.push(Msg::SetProbe(probe));
@@ -201,7 +277,9 @@ fn value_tooltip(response: &egui::Response, state: &State, probe: Probe) {
         let theta_o = probe.wo.x.atan2(probe.wo.z).to_degrees();
         ui.label(format!("θo {theta_o:.1}°, {}", channel.name()));
         let text = |value: Option<Rgb>, none: &str| {
-            value.map_or(none.to_string(), |rgb| crate::app::paint::plain(&number(channel.of(rgb))))
+            value.map_or(none.to_string(), |rgb| {
+                crate::app::paint::plain(&number(channel.of(rgb)))
+            })
         };
         ui.label(format!("measured {}", text(measured, "not measured")));
         ui.label(format!("model {}", text(model, "–")));

@@ -21,11 +21,19 @@ pub struct Tiles(Tree<Pane>);
 
 impl Default for Tiles {
     fn default() -> Self {
-        Self(Tree::new_vertical(egui::Id::unique("tiles"), vec![Pane::Sphere, Pane::Lobes]))
+        Self(Tree::new_vertical(
+            egui::Id::unique("tiles"),
+            vec![Pane::Sphere, Pane::Lobes],
+        ))
     }
 }
 
 impl Tiles {
+    /// No tile at all.
+    pub fn none() -> Self {
+        Self(Tree::empty(egui::Id::unique("tiles")))
+    }
+
     /// Draws them.
     pub fn ui(&mut self, ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
         self.0.ui(&mut View { state, out }, ui);
@@ -39,10 +47,12 @@ struct View<'a> {
 
 impl Behavior<Pane> for View<'_> {
     fn pane_ui(&mut self, ui: &mut egui::Ui, _id: TileId, pane: &mut Pane) -> UiResponse {
-        egui::Frame::new().inner_margin(8.0).show(ui, |ui| match pane {
-            Pane::Sphere => sphere::sphere_ui(ui, self.state, self.out),
-            Pane::Lobes => lobes::lobes_ui(ui, self.state, self.out),
-        });
+        egui::Frame::new()
+            .inner_margin(8.0)
+            .show(ui, |ui| match pane {
+                Pane::Sphere => sphere::sphere_ui(ui, self.state, self.out),
+                Pane::Lobes => lobes::lobes_ui(ui, self.state, self.out),
+            });
         UiResponse::None
     }
 

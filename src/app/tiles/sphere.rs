@@ -17,7 +17,10 @@ const NEAR_HIGHLIGHT: f64 = 0.35;
 pub fn sphere_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     let tile = &state.scene.sphere;
     toolbar_ui(ui, state, tile, out);
-    let (rect, response) = ui.allocate_exact_size(ui.available_size().max(Vec2::splat(40.0)), Sense::click_and_drag());
+    let (rect, response) = ui.allocate_exact_size(
+        ui.available_size().max(Vec2::splat(40.0)),
+        Sense::click_and_drag(),
+    );
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "Sphere"));
     let Some((material, opened)) = state.current() else {
         dialogs::empty_ui(ui, rect, "Open a material to see it on a sphere.");
@@ -40,7 +43,10 @@ fn toolbar_ui(ui: &mut egui::Ui, state: &State, tile: &SphereTile, out: &mut Vec
     ui.horizontal_wrapped(|ui| {
         for show in SHOWS {
             let response = ui.selectable_label(tile.show == show, show.name());
-            if response.on_hover_text(Command::UseShow(show).hint(ui.ctx())).clicked() {
+            if response
+                .on_hover_text(Command::UseShow(show).hint(ui.ctx()))
+                .clicked()
+            {
                 out.push(Msg::Run(Command::UseShow(show)));
             }
         }
@@ -48,7 +54,11 @@ fn toolbar_ui(ui: &mut egui::Ui, state: &State, tile: &SphereTile, out: &mut Vec
         ui.menu_button("Lights", |ui| {
             for (index, preset) in LIGHT_PRESETS.iter().enumerate() {
                 let checked = Command::UseLights(index).is_checked(state).unwrap_or(false);
-                if ui.selectable_label(checked, preset.name).on_hover_text(preset.help).clicked() {
+                if ui
+                    .selectable_label(checked, preset.name)
+                    .on_hover_text(preset.help)
+                    .clicked()
+                {
                     out.push(Msg::Run(Command::UseLights(index)));
                 }
             }
@@ -61,12 +71,19 @@ fn toolbar_ui(ui: &mut egui::Ui, state: &State, tile: &SphereTile, out: &mut Vec
             .range(-10.0..=10.0)
             .suffix(" EV")
             .fixed_decimals(1);
-        let response = ui.add(drag).labelled_by(label.id).on_hover_text("Exposure in stops. Double click on the word: 0.");
+        let response = ui
+            .add(drag)
+            .labelled_by(label.id)
+            .on_hover_text("Exposure in stops. Double click on the word: 0.");
         if response.changed() {
-            out.push(Msg::SetSphere(with(tile, |tile| tile.view.exposure_stops = exposure)));
+            out.push(Msg::SetSphere(with(tile, |tile| {
+                tile.view.exposure_stops = exposure
+            })));
         }
         if label.interact(Sense::click()).double_clicked() {
-            out.push(Msg::SetSphere(with(tile, |tile| tile.view.exposure_stops = 0.0)));
+            out.push(Msg::SetSphere(with(tile, |tile| {
+                tile.view.exposure_stops = 0.0
+            })));
         }
     });
 }
@@ -89,7 +106,10 @@ impl OnScreen {
 
 fn layout(rect: Rect, tile: &SphereTile) -> Vec<OnScreen> {
     let square = |rect: Rect, half| OnScreen {
-        rect: Rect::from_center_size(rect.center(), Vec2::splat(rect.width().min(rect.height()) - 8.0).max(Vec2::splat(16.0))),
+        rect: Rect::from_center_size(
+            rect.center(),
+            Vec2::splat(rect.width().min(rect.height()) - 8.0).max(Vec2::splat(16.0)),
+        ),
         half,
     };
     match tile.show {
@@ -104,13 +124,18 @@ fn layout(rect: Rect, tile: &SphereTile) -> Vec<OnScreen> {
 }
 
 fn split_line(sphere: &OnScreen, tile: &SphereTile) -> Option<f32> {
-    (tile.show == Show::Split).then(|| sphere.rect.center().x + 0.5 * sphere.rect.width() * tile.split as f32)
+    (tile.show == Show::Split)
+        .then(|| sphere.rect.center().x + 0.5 * sphere.rect.width() * tile.split as f32)
 }
 
 fn draw_split(ui: &egui::Ui, sphere: &OnScreen, x: f32) {
     let painter = ui.painter();
     let color = ui.visuals().strong_text_color();
-    painter.vline(x, sphere.rect.y_range(), Stroke::new(1.0, color.gamma_multiply(0.75)));
+    painter.vline(
+        x,
+        sphere.rect.y_range(),
+        Stroke::new(1.0, color.gamma_multiply(0.75)),
+    );
     let handle = Rect::from_center_size(pos2(x, sphere.rect.bottom() - 14.0), vec2(7.0, 20.0));
     painter.rect(
         handle,
@@ -124,7 +149,8 @@ fn draw_split(ui: &egui::Ui, sphere: &OnScreen, x: f32) {
 fn caption(ui: &egui::Ui, sphere: &OnScreen, show: Show) {
     let put = |at: Pos2, align: Align2, text: &str| {
         let color: Color32 = ui.visuals().weak_text_color();
-        ui.painter().text(at, align, text, FontId::proportional(13.0), color);
+        ui.painter()
+            .text(at, align, text, FontId::proportional(13.0), color);
     };
     let rect = sphere.rect;
     match (show, sphere.half) {
@@ -145,7 +171,13 @@ enum Grabbed {
     Light(usize),
 }
 
-fn interact(ui: &egui::Ui, response: &egui::Response, tile: &SphereTile, spheres: &[OnScreen], out: &mut Vec<Msg>) {
+fn interact(
+    ui: &egui::Ui,
+    response: &egui::Response,
+    tile: &SphereTile,
+    spheres: &[OnScreen],
+    out: &mut Vec<Msg>,
+) {
     let Some(pointer) = response.interact_pointer_pos().or(response.hover_pos()) else {
         if response.ctx.input(|input| input.pointer.has_pointer()) && response.contains_pointer() {
             out.push(Msg::SetProbe(None));
@@ -159,21 +191,30 @@ fn interact(ui: &egui::Ui, response: &egui::Response, tile: &SphereTile, spheres
         return;
     };
     let on_split = |at: Pos2| {
-        split_line(sphere, tile).is_some_and(|x| (at.x - x).abs() < GRAB && sphere.rect.y_range().contains(at.y))
+        split_line(sphere, tile)
+            .is_some_and(|x| (at.x - x).abs() < GRAB && sphere.rect.y_range().contains(at.y))
     };
     let (x, y) = sphere.unit(pointer);
     let id = response.id.with("grabbed");
     if response.drag_started_by(egui::PointerButton::Primary) {
         // The pointer may have gone far between the press and the frame that calls it a drag.
-        let pressed = ui.input(|input| input.pointer.press_origin()).unwrap_or(pointer);
+        let pressed = ui
+            .input(|input| input.pointer.press_origin())
+            .unwrap_or(pointer);
         let (x, y) = sphere.unit(pressed);
-        let grabbed = if on_split(pressed) { Grabbed::Split } else { Grabbed::Light(nearest_light(tile, x, y)) };
+        let grabbed = if on_split(pressed) {
+            Grabbed::Split
+        } else {
+            Grabbed::Light(nearest_light(tile, x, y))
+        };
         ui.data_mut(|data| data.insert_temp(id, grabbed));
     }
     if response.dragged_by(egui::PointerButton::Primary) {
         match ui.data(|data| data.get_temp(id)) {
             Some(Grabbed::Split) => {
-                out.push(Msg::SetSphere(with(tile, |tile| tile.split = x.clamp(-1.0, 1.0))));
+                out.push(Msg::SetSphere(with(tile, |tile| {
+                    tile.split = x.clamp(-1.0, 1.0)
+                })));
             }
             Some(Grabbed::Light(light)) => out.push(Msg::SetSphere(with(tile, |tile| {
                 if let Some(light) = tile.view.lights.get_mut(light) {
@@ -184,12 +225,21 @@ fn interact(ui: &egui::Ui, response: &egui::Response, tile: &SphereTile, spheres
         }
     }
     if response.double_clicked() {
-        out.push(Msg::SetSphere(SphereTile { show: tile.show, ..crate::app::state::Scene::default().sphere }));
+        out.push(Msg::SetSphere(SphereTile {
+            show: tile.show,
+            ..crate::app::state::Scene::default().sphere
+        }));
     }
     if response.hovered() {
-        ui.ctx().set_cursor_icon(if on_split(pointer) { CursorIcon::ResizeHorizontal } else { CursorIcon::Crosshair });
+        ui.ctx().set_cursor_icon(if on_split(pointer) {
+            CursorIcon::ResizeHorizontal
+        } else {
+            CursorIcon::Crosshair
+        });
         let light = tile.view.lights.get(nearest_light(tile, x, y));
-        let probe = light.and_then(|light| local_directions(x, y, light)).map(|(wi, wo)| Probe { wi, wo });
+        let probe = light
+            .and_then(|light| local_directions(x, y, light))
+            .map(|(wi, wo)| Probe { wi, wo });
         out.push(Msg::SetProbe(probe));
     }
 }

@@ -5,7 +5,9 @@ use crate::app::state::{Material, MaterialId, Opened, State};
 use crate::gpu::sphere_pass::{SpherePass, SphereSlot, SphereUniform};
 use crate::gpu::table_texture::TableTexture;
 use crate::measured::Table;
-use eframe::egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState, ScreenDescriptor};
+use eframe::egui_wgpu::{
+    Callback, CallbackResources, CallbackTrait, RenderState, ScreenDescriptor,
+};
 use eframe::wgpu;
 use egui::PaintCallbackInfo;
 use std::collections::HashMap;
@@ -36,16 +38,35 @@ impl Half {
 /// Prepares the renderer, once.
 pub fn install(render_state: &RenderState) {
     let pass = SpherePass::new(&render_state.device, render_state.target_format);
-    let kept = Kept { pass, tables: HashMap::new(), slots: HashMap::new() };
-    render_state.renderer.write().callback_resources.insert(kept);
+    let kept = Kept {
+        pass,
+        tables: HashMap::new(),
+        slots: HashMap::new(),
+    };
+    render_state
+        .renderer
+        .write()
+        .callback_resources
+        .insert(kept);
 }
 
 /// Adds a sphere to the picture.
-pub fn paint(painter: &egui::Painter, sphere: &OnScreen, state: &State, material: &Material, opened: &Opened) {
+pub fn paint(
+    painter: &egui::Painter,
+    sphere: &OnScreen,
+    state: &State,
+    material: &Material,
+    opened: &Opened,
+) {
     let radius_px = 0.5 * sphere.rect.width() * painter.ctx().pixels_per_point();
     let scene = &state.scene;
-    let uniform =
-        SphereUniform::new(&scene.sphere.view, &opened.brdf, scene.lookup, sphere.half.split(), radius_px);
+    let uniform = SphereUniform::new(
+        &scene.sphere.view,
+        &opened.brdf,
+        scene.lookup,
+        sphere.half.split(),
+        radius_px,
+    );
     let callback = SphereCallback {
         // Two spheres are told apart by what they show.
         key: (opened.id, matches!(sphere.half, Half::Model)),
@@ -82,18 +103,32 @@ impl CallbackTrait for SphereCallback {
         _encoder: &mut wgpu::CommandEncoder,
         resources: &mut CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
-        let Some(Kept { pass, tables, slots }) = resources.get_mut::<Kept>() else {
+        let Some(Kept {
+            pass,
+            tables,
+            slots,
+        }) = resources.get_mut::<Kept>()
+        else {
             return Vec::new();
         };
         tables.retain(|id, _| self.open.contains(id));
         slots.retain(|(id, _), _| self.open.contains(id));
-        let table =
-            tables.entry(self.key.0).or_insert_with(|| TableTexture::upload(device, queue, &self.table));
-        slots.entry(self.key).or_insert_with(|| pass.slot(device, table)).write(queue, &self.uniform);
+        let table = tables
+            .entry(self.key.0)
+            .or_insert_with(|| TableTexture::upload(device, queue, &self.table));
+        slots
+            .entry(self.key)
+            .or_insert_with(|| pass.slot(device, table))
+            .write(queue, &self.uniform);
         Vec::new()
     }
 
-    fn paint(&self, _info: PaintCallbackInfo, pass: &mut wgpu::RenderPass<'static>, resources: &CallbackResources) {
+    fn paint(
+        &self,
+        _info: PaintCallbackInfo,
+        pass: &mut wgpu::RenderPass<'static>,
+        resources: &CallbackResources,
+    ) {
         if let Some(kept) = resources.get::<Kept>()
             && let Some(slot) = kept.slots.get(&self.key)
         {

@@ -1,11 +1,133 @@
-//! stub
-use super::{Grid, Table};
-pub struct Sample { pub key: &'static str, pub name: &'static str, pub about: &'static str }
-pub static SAMPLES: [Sample; 1] = [Sample { key: "stub", name: "Red lacquer (synthetic)", about: "stub" }];
+//! Synthetic materials in the form of measured ones, so that there is something to see without a file.
+//!
+//! Each is made by richer physics than the models that are fitted to it: see [`surface`]. Then it is spoilt as a
+//! measurement is: with noise, and with gaps at the horizon. All are deterministic.
+
+mod measure;
+mod surface;
+
+use super::table::Table;
+use crate::geom::Rgb;
+use surface::{GOLD, Interface, Lobe, Slopes, dielectric};
+
+/// A recipe for a synthetic material. The name says that it is synthetic.
+#[derive(Debug)]
+pub struct Sample {
+    /// Name in files and on the command line.
+    pub key: &'static str,
+    /// Name on screen.
+    pub name: &'static str,
+    /// What it shows, in one sentence.
+    pub about: &'static str,
+    /// Albedo of what lies below the interface.
+    albedo: Rgb,
+    /// What light crosses to get there.
+    coat: Interface,
+    /// What scatters at the surface, with its share.
+    lobes: &'static [(f64, Lobe)],
+    /// Makes the noise its own.
+    seed: u64,
+}
+
+/// All samples; the window starts with the first.
+pub static SAMPLES: [Sample; 5] = [
+    Sample {
+        key: "copper-glaze",
+        name: "Copper glaze (synthetic)",
+        about: "Between Phong and Blinn-Phong: a smooth glaze with a share of rough facets; at grazing angles neither model fits.",
+        albedo: [0.55, 0.17, 0.07],
+        coat: dielectric(1.5),
+        lobes: &[
+            (0.8, Lobe::Smooth { width: 0.35 }),
+            (
+                0.2,
+                Lobe::Facets {
+                    slopes: Slopes::Beckmann,
+                    roughness: 0.25,
+                    interface: dielectric(1.5),
+                },
+            ),
+        ],
+        seed: 1,
+    },
+    Sample {
+        key: "green-lacquer",
+        name: "Green lacquer (synthetic)",
+        about: "Phong-like: a nearly smooth lacquer that scatters evenly around the mirror direction, so its grazing highlight is broad.",
+        albedo: [0.03, 0.26, 0.13],
+        coat: dielectric(1.5),
+        lobes: &[(1.0, Lobe::Smooth { width: 0.25 })],
+        seed: 2,
+    },
+    Sample {
+        key: "hammered-gold",
+        name: "Hammered gold (synthetic)",
+        about: "Blinn-Phong-like: facets with a spread of slopes, so its grazing highlight is condensed towards the plane of incidence.",
+        albedo: [0.012, 0.008, 0.003],
+        coat: dielectric(1.5),
+        lobes: &[(
+            1.0,
+            Lobe::Facets {
+                slopes: Slopes::Beckmann,
+                roughness: 0.25,
+                interface: GOLD,
+            },
+        )],
+        seed: 3,
+    },
+    Sample {
+        key: "blue-porcelain",
+        name: "Blue porcelain (synthetic)",
+        about: "Very glossy, with the long tails of GGX facets: a peak that no cosine power follows to its foot.",
+        albedo: [0.10, 0.22, 0.60],
+        coat: dielectric(1.6),
+        lobes: &[(
+            1.0,
+            Lobe::Facets {
+                slopes: Slopes::Ggx,
+                roughness: 0.06,
+                interface: dielectric(1.6),
+            },
+        )],
+        seed: 4,
+    },
+    Sample {
+        key: "violet-felt",
+        name: "Violet felt (synthetic)",
+        about: "Matte with a rim: loose fibres over a diffuse ground, bright where light grazes through them.",
+        albedo: [0.34, 0.12, 0.42],
+        coat: dielectric(1.15),
+        lobes: &[
+            (
+                0.22,
+                Lobe::Fibers {
+                    anisotropy: 0.65,
+                    depth: 0.25,
+                },
+            ),
+            (
+                0.08,
+                Lobe::Fibers {
+                    anisotropy: -0.4,
+                    depth: 0.25,
+                },
+            ),
+        ],
+        seed: 5,
+    },
+];
+
 impl Sample {
+    /// The sample whose `key` this is.
+    pub fn by_key(key: &str) -> Option<&'static Self> {
+        SAMPLES.iter().find(|sample| sample.key == key)
+    }
+
+    /// The material as a measurement would give it, on the folded grid. The same every time.
     pub fn synthesize(&self) -> Table {
-        let grid = Grid::FOLDED;
-        let b = crate::brdf::Brdf { model: crate::brdf::MODELS[1], fresnel: crate::brdf::Fresnel::Exact, params: crate::brdf::Params { rho_d: [0.4,0.1,0.05], k_s: [30.;3], s: 250., alpha: 1., eta: 1.5 } };
-        Table::new(grid, (0..grid.len()).map(|i| { let (h,d,p) = grid.bins(i); let c = grid.center(h,d,p).cosines(); if c.cos_theta_i > 0.08 && c.cos_theta_o > 0.08 { b.eval(&c).map(|x| x as f32) } else { [-1.;3] } }).collect())
+        measure::measure(self)
     }
 }
+
+#[cfg(test)]
+mod tests;

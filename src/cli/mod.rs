@@ -1,0 +1,75 @@
+//! The command line: opens the window, or does the same work without one.
+//!
+//! Exit code 0: done. 1: failed, with one line on standard error. 2: the command line itself is wrong.
+
+mod csv_table;
+mod eval;
+mod info;
+mod sample;
+
+use crate::files::FileError;
+use clap::{Parser, Subcommand};
+use std::io::{self, ErrorKind, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// A desktop BRDF explorer for the angles at which Phong models go wrong.
+///
+/// Without a command, opens the window with the given files. A file that is named like a command is opened as ./NAME.
+#[derive(Parser)]
+#[command(name = "grazing", version, args_conflicts_with_subcommands = true)]
+struct Cli {
+    /// MERL files to open in the window
+    #[arg(value_name = "FILE")]
+    files: Vec<PathBuf>,
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Info(info::Args),
+    Sample(sample::Args),
+    Eval(eval::Args),
+}
+
+/// Why a command failed.
+#[derive(Debug, thiserror::Error)]
+enum CliError {
+    #[error(transparent)]
+    File(#[from] FileError),
+    #[error("cannot write the output: {0}")]
+    Output(#[from] io::Error),
+    #[error("{0}")]
+    Other(String),
+}
+
+/// The program: reads the command line, works, returns the exit code.
+pub fn main() -> ExitCode {
+    // Usage errors, --help and --version end here, with 2 or 0.
+    let cli = Cli::parse();
+    let mut out = io::BufWriter::new(io::stdout().lock());
+    let result = match &cli.command {
+        None => {
+            drop(out);
+            return finish(crate::app::run(cli.files).map_err(CliError::Other));
+        }
+        Some(Command::Info(args)) => info::run(args, &mut out),
+        Some(Command::Sample(args)) => sample::run(args, &mut out),
+        Some(Command::Eval(args)) => eval::run(args, &mut out),
+    };
+    finish(result.and_then(|()| Ok(out.flush()?)))
+}
+
+fn finish(result: Result<(), CliError>) -> ExitCode {
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        // Whoever reads has had enough (`grazing eval … | head`): no failure.
+        Err(CliError::Output(error)) if error.kind() == ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+        Err(error) => {
+            // eprintln! would panic where standard error is closed.
+            let _ = writeln!(io::stderr(), "grazing: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! Why a file could not be used.
+
+use crate::measured::merl::MerlError;
+use std::fmt;
+use std::io::{self, ErrorKind};
+use std::path::{Path, PathBuf};
+
+/// What is wrong with a file. Shown as one line with the path last.
+#[derive(Debug)]
+pub struct FileError {
+    path: PathBuf,
+    what: String,
+    cancelled: bool,
+}
+
+impl FileError {
+    /// What is wrong, what was expected.
+    pub fn new(path: &Path, what: impl Into<String>) -> Self {
+        Self {
+            path: path.to_owned(),
+            what: what.into(),
+            cancelled: false,
+        }
+    }
+
+    /// An error of the operating system, in plain words; `doing` says what failed where there are none.
+    pub fn io(path: &Path, doing: &str, error: &io::Error) -> Self {
+        let what = match error.kind() {
+            ErrorKind::NotFound => "there is no such file or directory".into(),
+            ErrorKind::PermissionDenied => {
+                format!("{doing}: no permission; change it or use a copy")
+            }
+            ErrorKind::StorageFull => format!("{doing}: the disk is full"),
+            ErrorKind::NotADirectory => "a part of the path is no directory".into(),
+            _ => format!("{doing}: {error}"),
+        };
+        Self::new(path, what)
+    }
+
+    /// What the reader of MERL files says.
+    pub fn merl(path: &Path, error: MerlError) -> Self {
+        match error {
+            MerlError::Io(error) => Self::io(path, "reading failed", &error),
+            error => Self {
+                cancelled: matches!(error, MerlError::Cancelled),
+                ..Self::new(path, error.to_string())
+            },
+        }
+    }
+
+    /// The file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Whether it is no error at all: `progress` said stop.
+    pub fn is_cancelled(&self) -> bool {
+        self.cancelled
+    }
+}
+
+impl fmt::Display for FileError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let text = format!("{}: {}", self.what, self.path.display());
+        // Names and contents of files may hold line breaks and worse; the message is one line.
+        for c in text.chars() {
+            if c.is_control() {
+                write!(f, "{}", c.escape_default())?;
+            } else {
+                write!(f, "{c}")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for FileError {}

@@ -1,0 +1,130 @@
+//! Writing whole files or nothing.
+
+use super::FileError;
+use std::fs;
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
+
+/// Writes a file beside its place and moves it there when it is complete: nobody sees half a file, and what was there
+/// before is kept when anything fails. An existing file is refused unless `force`.
+///
+/// # Errors
+/// One line that says what is wrong and, last, the path.
+pub fn write_atomically(
+    path: &Path,
+    force: bool,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), FileError> {
+    let failed = |error: &io::Error| FileError::io(path, "cannot write the file", error);
+    let exists = || FileError::new(path, "the file exists already; --force replaces it");
+    // A link stays one: its target is replaced.
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let before = fs::metadata(&target).ok();
+    if let Some(before) = &before {
+        if before.is_dir() {
+            return Err(FileError::new(path, "this is a directory; expected a file"));
+        }
+        if !before.is_file() {
+            return Err(FileError::new(
+                path,
+                "this is a device or a pipe; expected a regular file",
+            ));
+        }
+        if !force {
+            return Err(exists());
+        }
+    }
+    let folder = match target.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".grazing-");
+    // Otherwise a temporary file is for its owner only.
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt as _;
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    let mut file = builder.tempfile_in(folder).map_err(|error| {
+        if folder.is_dir() {
+            failed(&error)
+        } else {
+            FileError::new(path, "there is no directory for the file; make it first")
+        }
+    })?;
+    let mut buffered = BufWriter::new(file.as_file_mut());
+    write(&mut buffered)
+        .and_then(|()| buffered.flush())
+        .map_err(|error| failed(&error))?;
+    drop(buffered);
+    file.as_file().sync_all().map_err(|error| failed(&error))?;
+    if force {
+        if let Some(before) = before {
+            fs::set_permissions(file.path(), before.permissions())
+                .map_err(|error| failed(&error))?;
+        }
+        file.persist(&target)
+    } else {
+        // Somebody may have been faster: looking first is not enough.
+        file.persist_noclobber(&target)
+    }
+    .map_err(|error| match error.error.kind() {
+        io::ErrorKind::AlreadyExists => exists(),
+        _ => failed(&error.error),
+    })?;
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(folder: &Path) -> Vec<String> {
+        let entries = fs::read_dir(folder).expect("a folder");
+        entries
+            .map(|entry| {
+                entry
+                    .expect("an entry")
+                    .file_name()
+                    .to_string_lossy()
+                    .into()
+            })
+            .collect()
+    }
+
+    #[test]
+    fn a_failure_leaves_what_was_there() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("out.csv");
+        write_atomically(&path, false, |w| w.write_all(b"first")).expect("is written");
+        let failure = write_atomically(&path, true, |w| {
+            w.write_all(b"half")?;
+            Err(io::Error::other("the machine is tired"))
+        });
+        let said = failure.expect_err("fails").to_string();
+        assert!(
+            said.contains("tired") && said.ends_with("out.csv"),
+            "{said}"
+        );
+        assert_eq!(fs::read(&path).expect("is there"), b"first");
+        let said = write_atomically(&path, false, |w| w.write_all(b"second"))
+            .expect_err("exists")
+            .to_string();
+        assert!(said.contains("exists already"), "{said}");
+        assert_eq!(fs::read(&path).expect("is there"), b"first");
+        write_atomically(&path, true, |w| w.write_all(b"third")).expect("is forced");
+        assert_eq!(fs::read(&path).expect("is there"), b"third");
+        assert_eq!(names(folder.path()), ["out.csv"], "nothing is left behind");
+    }
+
+    #[test]
+    fn a_missing_folder_is_named() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("no/out.csv");
+        let said = write_atomically(&path, false, |_| Ok(()))
+            .expect_err("fails")
+            .to_string();
+        assert!(said.contains("no directory") && said.ends_with("out.csv"));
+    }
+}
