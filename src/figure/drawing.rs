@@ -1,55 +1,24 @@
-//! A drawing: lines, fills and text in points, y down, with colours as roles. Screen and paper walk the same one.
+//! A drawing as data: lines, fills, dots and text in points, y downwards from the upper left corner.
+//!
+//! The painter on screen and the writers of files walk the same items, in order, later over earlier. Colours are
+//! roles until a [`super::Palette`] resolves them.
 
+use super::palette::Ink;
 use super::text::RichText;
 
-/// Position in points from the upper left corner, y down.
+/// A position in points, x to the right and y down.
 pub type Point = [f32; 2];
 
-/// What a colour is for. A [`Palette`] says what it looks like.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Role {
-    /// Text and vectors.
-    Foreground,
-    /// Labels of axes.
-    Muted,
-    /// Grids and shades.
-    Faint,
-    /// The ground, for halos.
-    Background,
-    /// The probe.
-    Accent,
-    /// The data set with this number.
-    Series(usize),
+/// A picture of a known size.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Drawing {
+    /// Width and height in points. Items stay inside.
+    pub size: [f32; 2],
+    /// Painted in this order.
+    pub items: Vec<Item>,
 }
 
-/// A role with an opacity in [0, 1].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ink {
-    /// What for.
-    pub role: Role,
-    /// How much.
-    pub opacity: f32,
-}
-
-impl Role {
-    /// Fully opaque.
-    pub fn ink(self) -> Ink {
-        self.with_opacity(1.0)
-    }
-
-    /// With an opacity.
-    pub fn with_opacity(self, opacity: f32) -> Ink {
-        Ink {
-            role: self,
-            opacity,
-        }
-    }
-}
-
-/// Where a text stands relative to its position: 0 is left or top, 0.5 the middle, 1 right or bottom.
-pub type Anchor = [f32; 2];
-
-/// A part of a drawing, in painting order.
+/// One thing that is drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Item {
     /// An open polyline.
@@ -58,205 +27,159 @@ pub enum Item {
         points: Vec<Point>,
         /// In points.
         width: f32,
-        /// Dashed or solid.
-        dashed: bool,
-        /// Colour.
+        /// Lengths of dash and gap in points; solid without.
+        dash: Option<[f32; 2]>,
+        /// Its colour.
         ink: Ink,
     },
-    /// A convex polygon.
+    /// A filled convex polygon.
     Fill {
-        /// At least three.
+        /// Its corners, in either sense.
         points: Vec<Point>,
-        /// Colour.
+        /// Its colour.
         ink: Ink,
     },
-    /// A disc.
+    /// A filled circle.
     Dot {
-        /// Its centre.
+        /// Its middle.
         center: Point,
-        /// In points.
+        /// In points, up to the middle of the outline.
         radius: f32,
-        /// Colour.
+        /// Colour of the inside.
         ink: Ink,
+        /// Width in points and colour of its rim, if any.
+        outline: Option<(f32, Ink)>,
     },
-    /// A line of text.
-    Text {
-        /// Where the anchor is.
-        position: Point,
-        /// Which part of the text is there.
-        anchor: Anchor,
-        /// Font size in points.
-        size: f32,
-        /// What it says.
-        text: RichText,
-        /// Colour.
-        ink: Ink,
-        /// Whether the ground is painted behind it, so that lines do not run through.
-        halo: bool,
-    },
+    /// One line of text.
+    Text(Label),
 }
 
-/// A finished drawing.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Drawing {
-    /// Width and height in points.
-    pub size: [f32; 2],
-    /// Back to front.
-    pub items: Vec<Item>,
+/// One line of text and where it stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Label {
+    /// What it says.
+    pub text: RichText,
+    /// Where its anchor is.
+    pub pos: Point,
+    /// The part of the text that is at `pos`, and that it turns about.
+    pub anchor: Anchor,
+    /// Clockwise turn in radians.
+    pub angle: f32,
+    /// Font size in points.
+    pub size: f32,
+    /// Its colour.
+    pub ink: Ink,
+    /// Whether lines behind it are covered with a patch of the background.
+    pub halo: bool,
+}
+
+/// Which part of a text is at its position: `x` and `y` are 0 at its left and top, 0.5 in its middle, 1 at the end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Anchor {
+    /// From left (0) to right (1).
+    pub x: f32,
+    /// From top (0) to bottom (1).
+    pub y: f32,
+}
+
+impl Anchor {
+    /// The middle of the text.
+    pub const CENTER: Self = Self { x: 0.5, y: 0.5 };
+    /// The middle of its left end.
+    pub const LEFT: Self = Self { x: 0.0, y: 0.5 };
+    /// The middle of its right end.
+    pub const RIGHT: Self = Self { x: 1.0, y: 0.5 };
+    /// The middle of its top.
+    pub const TOP: Self = Self { x: 0.5, y: 0.0 };
+
+    /// The part of the text that is nearest to what it names, if that is in the direction (`dx`, `dy`) from it:
+    /// text outside a circle stands on its side.
+    pub fn towards(dx: f32, dy: f32) -> Self {
+        Self {
+            x: 0.5 + 0.5 * dx,
+            y: 0.5 + 0.5 * dy,
+        }
+    }
+}
+
+/// Height of a line of text in units of its font size.
+pub const LINE_HEIGHT: f32 = 1.25;
+
+impl Label {
+    /// Estimated bounding box (upper left, lower right) of the text before it is turned.
+    pub fn bounds(&self) -> [Point; 2] {
+        let (w, h) = (self.size * self.text.width_em(), self.size * LINE_HEIGHT);
+        let min = [
+            self.pos[0] - self.anchor.x * w,
+            self.pos[1] - self.anchor.y * h,
+        ];
+        [min, [min[0] + w, min[1] + h]]
+    }
 }
 
 impl Drawing {
-    /// Adds a polyline; one with fewer than two points is nothing.
-    pub fn line(&mut self, points: Vec<Point>, width: f32, ink: Ink) {
-        self.stroke(points, width, false, ink);
+    /// An empty drawing.
+    pub fn new(size: [f32; 2]) -> Self {
+        Self {
+            size,
+            items: Vec::new(),
+        }
     }
 
-    /// Adds a polyline that may be dashed.
-    pub fn stroke(&mut self, points: Vec<Point>, width: f32, dashed: bool, ink: Ink) {
-        if points.len() > 1 {
+    /// Adds a solid polyline; nothing if it has fewer than two points.
+    pub fn line(&mut self, points: Vec<Point>, width: f32, ink: Ink) {
+        self.dashed_line(points, width, None, ink);
+    }
+
+    /// Adds a polyline, dashed where `dash` says so; nothing if it has fewer than two points.
+    pub fn dashed_line(
+        &mut self,
+        points: Vec<Point>,
+        width: f32,
+        dash: Option<[f32; 2]>,
+        ink: Ink,
+    ) {
+        if points.len() >= 2 {
             self.items.push(Item::Line {
                 points,
                 width,
-                dashed,
+                dash,
                 ink,
             });
         }
     }
 
-    /// Adds a text.
-    pub fn text(&mut self, position: Point, anchor: Anchor, size: f32, markup: &str, ink: Ink) {
-        self.push_text(position, anchor, size, markup, ink, false);
+    /// Adds a convex polygon.
+    pub fn fill(&mut self, points: Vec<Point>, ink: Ink) {
+        self.items.push(Item::Fill { points, ink });
     }
 
-    /// Adds a text with the ground behind it.
-    pub fn text_on_ground(
-        &mut self,
-        position: Point,
-        anchor: Anchor,
-        size: f32,
-        markup: &str,
-        ink: Ink,
-    ) {
-        self.push_text(position, anchor, size, markup, ink, true);
-    }
-
-    fn push_text(
-        &mut self,
-        position: Point,
-        anchor: Anchor,
-        size: f32,
-        markup: &str,
-        ink: Ink,
-        halo: bool,
-    ) {
-        self.items.push(Item::Text {
-            position,
-            anchor,
-            size,
-            text: RichText::parse(markup),
+    /// Adds a line with a filled head at `tip`, `head` points long.
+    pub fn arrow(&mut self, tail: Point, tip: Point, width: f32, head: f32, ink: Ink) {
+        let (dx, dy) = (tip[0] - tail[0], tip[1] - tail[1]);
+        let length = dx.hypot(dy);
+        if length <= head {
+            return;
+        }
+        let (ux, uy) = (dx / length, dy / length);
+        let base = [tip[0] - head * ux, tip[1] - head * uy];
+        let half = 0.36 * head;
+        self.line(vec![tail, base], width, ink);
+        self.fill(
+            vec![
+                tip,
+                [base[0] - half * uy, base[1] + half * ux],
+                [base[0] + half * uy, base[1] - half * ux],
+            ],
             ink,
-            halo,
-        });
-    }
-}
-
-/// The colours of the roles, as 8-bit sRGB.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Palette {
-    /// Text and vectors.
-    pub foreground: [u8; 3],
-    /// Labels of axes.
-    pub muted: [u8; 3],
-    /// Grids and shades.
-    pub faint: [u8; 3],
-    /// The ground.
-    pub background: [u8; 3],
-    /// The probe.
-    pub accent: [u8; 3],
-    /// Data sets, told apart also by colour-blind people (after Okabe and Ito), taken in turn.
-    pub series: [[u8; 3]; 7],
-}
-
-/// For a light window.
-pub const LIGHT: Palette = Palette {
-    foreground: [30, 30, 34],
-    muted: [96, 96, 102],
-    faint: [150, 150, 158],
-    background: [248, 248, 248],
-    accent: [200, 30, 90],
-    series: [
-        [0, 104, 168],
-        [196, 84, 0],
-        [0, 128, 94],
-        [178, 84, 140],
-        [140, 108, 0],
-        [20, 130, 185],
-        [70, 70, 76],
-    ],
-};
-
-/// For a dark window.
-pub const DARK: Palette = Palette {
-    foreground: [232, 232, 236],
-    muted: [160, 160, 168],
-    faint: [110, 110, 118],
-    background: [27, 27, 27],
-    accent: [255, 110, 160],
-    series: [
-        [86, 180, 233],
-        [240, 150, 40],
-        [40, 190, 140],
-        [220, 140, 190],
-        [240, 228, 66],
-        [120, 160, 255],
-        [200, 200, 206],
-    ],
-};
-
-impl Palette {
-    /// The colour of a role.
-    pub fn color(&self, role: Role) -> [u8; 3] {
-        match role {
-            Role::Foreground => self.foreground,
-            Role::Muted => self.muted,
-            Role::Faint => self.faint,
-            Role::Background => self.background,
-            Role::Accent => self.accent,
-            Role::Series(index) => self.series[index % self.series.len()],
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::geom::color::{luminance, srgb_decode};
-
-    /// Contrast ratio after WCAG.
-    fn contrast(a: [u8; 3], b: [u8; 3]) -> f64 {
-        let y = |c: [u8; 3]| luminance(c.map(|x| srgb_decode(f64::from(x) / 255.0))) + 0.05;
-        let (a, b) = (y(a), y(b));
-        a.max(b) / a.min(b)
-    }
-
-    #[test]
-    fn every_series_and_label_can_be_read() {
-        for palette in [LIGHT, DARK] {
-            for color in palette.series.into_iter().chain([
-                palette.foreground,
-                palette.muted,
-                palette.accent,
-            ]) {
-                assert!(
-                    contrast(color, palette.background) > 3.0,
-                    "{color:?} on {:?}",
-                    palette.background
-                );
-            }
-        }
-        assert!(
-            contrast(LIGHT.series[4], DARK.series[4]) > 2.0,
-            "the measure can tell colours apart"
         );
+    }
+
+    /// Every text in it, in order.
+    pub fn labels(&self) -> impl Iterator<Item = &Label> {
+        self.items.iter().filter_map(|item| match item {
+            Item::Text(label) => Some(label),
+            _ => None,
+        })
     }
 }

@@ -1,24 +1,29 @@
-//! Polar lobes in the plane of incidence: f_r over the signed θo for several θi.
+//! Polar lobes in the plane of incidence: f_r over θo for several θi, measured and modelled.
 //!
-//! The light comes from the left and the mirror direction is on the right: wi stands at −θi, and θo is positive to
-//! the right. What is measured is solid and the model dashed; where f has no value there is a gap.
+//! The light comes from the left: wi is at −θi, the mirror direction at +θi. θo is signed, positive to the right.
 
+mod backdrop;
+mod draw;
 mod frame;
-mod scaffold;
+mod layout;
+mod traces;
 
 pub use frame::LobeFrame;
+pub use traces::{Sample, Trace};
 
-use super::drawing::{Drawing, Ink, Point, Role};
-use super::scale::RadialScale;
-use crate::geom::color::luminance;
-use crate::geom::{Rgb, direction};
+use super::drawing::{Drawing, Point};
+use super::scale::{Axis, RadialScale, nice_limit};
+use crate::geom::{Rgb, color::luminance};
 use glam::DVec3;
-use std::f64::consts::{FRAC_PI_2, PI};
 
-/// What is shown of RGB.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+/// Angles of incidence that are drawn are kept below this, so that wi stays above the horizon.
+pub const MAX_THETA_I: f64 = 89.5 * std::f64::consts::PI / 180.0;
+
+/// What of a colour is plotted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Channel {
-    /// Rec. 709 luminance.
+    /// Relative luminance with the Rec. 709 primaries.
+    #[default]
     Luminance,
     /// Red.
     R,
@@ -32,6 +37,16 @@ pub enum Channel {
 pub const CHANNELS: [Channel; 4] = [Channel::Luminance, Channel::R, Channel::G, Channel::B];
 
 impl Channel {
+    /// Name in files and on the command line.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Luminance => "luminance",
+            Self::R => "r",
+            Self::G => "g",
+            Self::B => "b",
+        }
+    }
+
     /// Name on screen.
     pub fn name(self) -> &'static str {
         match self {
@@ -42,7 +57,12 @@ impl Channel {
         }
     }
 
-    /// The shown number of a colour.
+    /// The channel whose key this is.
+    pub fn by_key(key: &str) -> Option<Self> {
+        CHANNELS.into_iter().find(|channel| channel.key() == key)
+    }
+
+    /// Its value in linear RGB.
     pub fn of(self, rgb: Rgb) -> f64 {
         match self {
             Self::Luminance => luminance(rgb),
@@ -53,164 +73,157 @@ impl Channel {
     }
 }
 
-/// What to draw.
+/// What a lobe plot shows of its curves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LobeSpec {
-    /// Angles of incidence in radians.
+    /// Angles of incidence in radians, in [0, π/2].
     pub theta_i: Vec<f64>,
-    /// The one whose vectors are drawn.
+    /// Which of them is drawn strong, with its vectors.
     pub active: usize,
-    /// Radius per value.
+    /// How values become radii.
     pub scale: RadialScale,
-    /// Whether f_r is multiplied by cos θi.
+    /// Whether f_r is multiplied by cos θi, which gives the radiance under a light of unit strength.
     pub with_cosine: bool,
-    /// Which channel.
+    /// What of the colours is plotted.
     pub channel: Channel,
-    /// Where the probe is, signed, in radians.
+    /// Whether solid curves are shown.
+    pub show_measured: bool,
+    /// Whether dashed curves are shown.
+    pub show_model: bool,
+    /// The view direction under the probe: signed θo in radians.
     pub probe_theta_o: Option<f64>,
-    /// Value at the rim; `None` takes it from the data.
+    /// The value at the rim, in 1/sr; from the curves without it.
     pub limit: Option<f64>,
 }
 
 impl Default for LobeSpec {
     fn default() -> Self {
         Self {
-            theta_i: vec![FRAC_PI_2 / 2.0],
-            active: 0,
-            scale: RadialScale::Linear,
+            theta_i: [30.0, 60.0, 80.0].map(f64::to_radians).to_vec(),
+            active: 1,
+            scale: RadialScale::default(),
             with_cosine: false,
-            channel: Channel::Luminance,
+            channel: Channel::default(),
+            show_measured: true,
+            show_model: true,
             probe_theta_o: None,
             limit: None,
         }
     }
 }
 
-/// A data set.
+/// A BRDF to plot.
 pub struct Curve<'a> {
-    /// Name in the legend.
+    /// Its name in the legend.
     pub label: String,
-    /// Dashed for a model.
+    /// Whether it is a model; measurements are solid.
     pub dashed: bool,
-    /// Number of its colour.
+    /// The material it belongs to, which gives the colour.
     pub series: usize,
-    /// f_r in 1/sr; `None` where there is no value.
+    /// f_r of (wi, wo) in 1/sr; `None` where nothing was measured.
     pub f_r: &'a dyn Fn(DVec3, DVec3) -> Option<Rgb>,
 }
 
-/// The drawing, and where things are in it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LobePlot {
-    /// What to paint.
-    pub drawing: Drawing,
-    /// Between points of the drawing and angles.
-    pub frame: LobeFrame,
+impl LobeSpec {
+    /// What is plotted of `curve` at these angles in radians (θo signed); `None` where it has no finite value.
+    pub fn value(&self, curve: &Curve, theta_i: f64, theta_o: f64) -> Option<f64> {
+        let wi = DVec3::new(-theta_i.sin(), 0.0, theta_i.cos());
+        let wo = DVec3::new(theta_o.sin(), 0.0, theta_o.cos());
+        let cosine = if self.with_cosine { wi.z } else { 1.0 };
+        let value = cosine * self.channel.of((curve.f_r)(wi, wo)?);
+        value.is_finite().then_some(value)
+    }
+
+    /// Whether a curve is to be shown.
+    pub fn shows(&self, curve: &Curve) -> bool {
+        if curve.dashed {
+            self.show_model
+        } else {
+            self.show_measured
+        }
+    }
 }
 
-/// Signed θo in radians and the shown value there.
-type Sample = (f64, Option<f64>);
+/// A lobe plot: the picture, where things are in it, and the numbers behind it.
+#[derive(Clone, Debug)]
+pub struct LobePlot {
+    /// The picture.
+    pub drawing: Drawing,
+    /// Where angles and values are in it.
+    pub frame: LobeFrame,
+    /// What is drawn as numbers, for hovering and for tables.
+    pub traces: Vec<Trace>,
+}
+
+/// A point of a trace that the pointer is near.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// Position of the curve in the list that was plotted.
+    pub curve: usize,
+    /// Position of θi in the spec.
+    pub lobe: usize,
+    /// Signed θo in radians.
+    pub theta_o: f64,
+    /// What is plotted there.
+    pub value: f64,
+    /// Where that is in the drawing.
+    pub point: Point,
+}
 
 impl LobePlot {
-    /// Draws the curves into `size` points.
-    pub fn new(spec: &LobeSpec, curves: &[Curve<'_>], size: [f32; 2]) -> Self {
-        let lobes: Vec<Vec<Vec<Sample>>> = curves
-            .iter()
-            .map(|curve| {
-                spec.theta_i
-                    .iter()
-                    .map(|theta_i| sample(spec, curve, *theta_i))
-                    .collect()
-            })
-            .collect();
-        let peak = lobes
-            .iter()
-            .flatten()
-            .flatten()
-            .filter_map(|(_, value)| *value)
-            .fold(0.0, f64::max);
-        let limit = spec.limit.unwrap_or_else(|| spec.scale.limit(peak));
-        let frame = LobeFrame::new(size, spec.scale, limit, spec.theta_i.clone());
-        let mut drawing = Drawing {
-            size,
-            items: Vec::new(),
+    /// Plots the curves that the spec shows into `size` points.
+    pub fn new(spec: &LobeSpec, curves: &[Curve], size: [f32; 2]) -> Self {
+        let traces = traces::trace_all(spec, curves);
+        let axis = axis_for(spec, &traces);
+        let plan = layout::Plan::new(spec, curves, size);
+        let frame = LobeFrame {
+            origin: plan.origin,
+            radius: plan.radius,
+            axis,
+            theta_i: spec.theta_i.clone(),
         };
-        scaffold::draw_ground(&mut drawing, &frame, spec);
-        // The active angle last, over the others.
-        let mut order: Vec<usize> = (0..spec.theta_i.len())
-            .filter(|index| *index != spec.active)
-            .collect();
-        order.extend((spec.active < spec.theta_i.len()).then_some(spec.active));
-        for index in order {
-            for (curve, lobes) in curves.iter().zip(&lobes) {
-                draw_lobe(
-                    &mut drawing,
-                    &frame,
-                    curve,
-                    &lobes[index],
-                    index == spec.active,
-                );
-            }
+        let drawing = draw::draw(spec, curves, &traces, &frame, &plan, size);
+        Self {
+            drawing,
+            frame,
+            traces,
         }
-        scaffold::draw_vectors(&mut drawing, &frame, spec);
-        if spec.theta_i.len() > 1 {
-            scaffold::draw_lobe_names(&mut drawing, &frame, spec, &lobes);
-        }
-        scaffold::draw_legend(&mut drawing, curves);
-        Self { drawing, frame }
+    }
+
+    /// The drawn value nearest to `point` in the direction of `point`, if one is within `reach` points.
+    pub fn hit(&self, point: Point, reach: f32) -> Option<Hit> {
+        let (theta_o, _) = self.frame.locate(point)?;
+        self.traces
+            .iter()
+            .filter_map(|trace| {
+                let value = trace.value_at(theta_o)?;
+                Some(Hit {
+                    curve: trace.curve,
+                    lobe: trace.lobe,
+                    theta_o,
+                    value,
+                    point: self.frame.point(theta_o, value),
+                })
+            })
+            .map(|hit| (distance(hit.point, point), hit))
+            .filter(|(distance, _)| *distance <= reach)
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+            .map(|(_, hit)| hit)
     }
 }
 
-/// Half the steps of the even sampling of θo: every quarter degree.
-const HALF_STEPS: i32 = 360;
-
-/// The places where a lobe is sampled: evenly, and ever denser towards the mirror direction, where a lobe may be
-/// narrower than a step.
-fn places(theta_i: f64) -> Vec<f64> {
-    let mut places: Vec<f64> = (-HALF_STEPS..=HALF_STEPS)
-        .map(|k| FRAC_PI_2 * f64::from(k) / f64::from(HALF_STEPS))
-        .collect();
-    let near = (0..40).map(|k| 2f64.to_radians() * 0.8f64.powi(k));
-    places.extend(
-        near.flat_map(|offset| [theta_i - offset, theta_i + offset])
-            .filter(|theta| theta.abs() < FRAC_PI_2),
-    );
-    places.push(theta_i);
-    places.sort_by(f64::total_cmp);
-    places
+/// One axis for all curves, from what is drawn or as the spec says.
+fn axis_for(spec: &LobeSpec, traces: &[Trace]) -> Axis {
+    let values = || traces.iter().flat_map(Trace::values);
+    let limit = spec
+        .limit
+        .unwrap_or_else(|| nice_limit(values().fold(0.0, f64::max)));
+    let smallest = values().filter(|x| *x > 0.0).min_by(f64::total_cmp);
+    Axis::new(spec.scale, limit, smallest)
 }
 
-fn sample(spec: &LobeSpec, curve: &Curve<'_>, theta_i: f64) -> Vec<Sample> {
-    let wi = direction(theta_i, PI);
-    let factor = if spec.with_cosine { theta_i.cos() } else { 1.0 };
-    places(theta_i)
-        .into_iter()
-        .map(|theta_o| {
-            // At ±90° exactly, rounding puts wo a hair below the horizon.
-            let inside = theta_o.clamp(-FRAC_PI_2 + 1e-9, FRAC_PI_2 - 1e-9);
-            let value =
-                (curve.f_r)(wi, direction(inside, 0.0)).map(|rgb| factor * spec.channel.of(rgb));
-            (theta_o, value.filter(|value| value.is_finite()))
-        })
-        .collect()
-}
-
-fn draw_lobe(
-    drawing: &mut Drawing,
-    frame: &LobeFrame,
-    curve: &Curve<'_>,
-    lobe: &[Sample],
-    active: bool,
-) {
-    let (width, opacity) = if active { (2.0, 1.0) } else { (1.25, 0.55) };
-    let ink: Ink = Role::Series(curve.series).with_opacity(opacity);
-    let mut run: Vec<Point> = Vec::new();
-    for (theta_o, value) in lobe {
-        match value {
-            Some(value) => run.push(frame.point(*theta_o, *value)),
-            None => drawing.stroke(std::mem::take(&mut run), width, curve.dashed, ink),
-        }
-    }
-    drawing.stroke(run, width, curve.dashed, ink);
+fn distance(a: Point, b: Point) -> f32 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
 #[cfg(test)]

@@ -1,6 +1,16 @@
-//! What is drawn, as data: a spec becomes a [`drawing::Drawing`], which the window paints and a file writer writes. Pure.
+//! What is drawn, as data: a spec and its curves become a [`Drawing`], which the painter and the writers walk. Pure.
+//!
+//! A new figure is a file that builds a `Drawing`; a new format is a file that walks one.
 
 pub mod drawing;
 pub mod lobes;
+pub mod palette;
+mod placing;
 pub mod scale;
 pub mod text;
+
+pub use drawing::{Anchor, Drawing, Item, Label, Point};
+pub use lobes::{Channel, Curve, LobePlot, LobeSpec};
+pub use palette::{Ink, Palette, Role};
+pub use scale::{Axis, RadialScale};
+pub use text::RichText;

@@ -1,13 +1,16 @@
-//! Scales: how a value becomes a length, and which values are labelled.
+//! How values become lengths: linear, cube root or logarithmic, with limits and ticks at round values.
 
-/// How the radius of a polar plot grows with the value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+use super::text::RichText;
+
+/// The law of an axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum RadialScale {
-    /// In proportion.
+    /// Length in proportion to the value.
     Linear,
-    /// With the cube root: shows the base of a lobe beside its peak.
+    /// To its cube root: peaks and tails in one picture, and 0 stays 0.
+    #[default]
     CubeRoot,
-    /// With the logarithm, from a floor of a few decades below the limit.
+    /// To its logarithm above a floor, which is at length 0.
     Log,
 }
 
@@ -15,19 +18,16 @@ pub enum RadialScale {
 pub const RADIAL_SCALES: [RadialScale; 3] =
     [RadialScale::Linear, RadialScale::CubeRoot, RadialScale::Log];
 
-/// Decades between the centre and the limit of a logarithmic scale.
-pub const DECADES: i32 = 4;
-
-/// A labelled value.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Tick {
-    /// The value.
-    pub value: f64,
-    /// Its label, in the markup of [`super::text`].
-    pub label: String,
-}
-
 impl RadialScale {
+    /// Name in files and on the command line.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Linear => "linear",
+            Self::CubeRoot => "cube-root",
+            Self::Log => "log",
+        }
+    }
+
     /// Name on screen.
     pub fn name(self) -> &'static str {
         match self {
@@ -37,7 +37,7 @@ impl RadialScale {
         }
     }
 
-    /// What an axis title says of it.
+    /// What an axis title says of it, in the markup of [`super::text`].
     pub fn phrase(self) -> &'static str {
         match self {
             Self::Linear => "linear",
@@ -46,176 +46,213 @@ impl RadialScale {
         }
     }
 
-    /// The length of a value ≥ 0 where `limit` > 0 has length 1. Values below the floor of the logarithm have length 0.
-    pub fn length(self, value: f64, limit: f64) -> f64 {
-        let x = (value / limit).max(0.0);
-        match self {
-            Self::Linear => x,
-            Self::CubeRoot => x.cbrt(),
-            Self::Log if x > 0.0 => (1.0 + x.log10() / f64::from(DECADES)).max(0.0),
-            Self::Log => 0.0,
-        }
+    /// The scale whose key this is.
+    pub fn by_key(key: &str) -> Option<Self> {
+        RADIAL_SCALES.into_iter().find(|scale| scale.key() == key)
     }
+}
 
-    /// The value of a length in [0, 1]: the inverse of [`RadialScale::length`] above the floor.
-    pub fn value(self, length: f64, limit: f64) -> f64 {
-        limit
-            * match self {
-                Self::Linear => length,
-                Self::CubeRoot => length.powi(3),
-                Self::Log => 10f64.powf(f64::from(DECADES) * (length - 1.0)),
-            }
-    }
+/// Fewest and most decades that a logarithmic axis shows.
+const DECADES: (i32, i32) = (3, 6);
 
-    /// A round limit at or above `peak`: the end of the axis.
-    pub fn limit(self, peak: f64) -> f64 {
-        let peak = if peak.is_finite() && peak > 0.0 {
-            peak
+/// A scale with its limits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Axis {
+    /// Its law.
+    pub scale: RadialScale,
+    /// The value at length 1, > 0.
+    pub limit: f64,
+    /// The value at length 0: a power of ten on a logarithmic axis, 0 on the others.
+    pub floor: f64,
+}
+
+/// A value that is marked on an axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tick {
+    /// The value.
+    pub value: f64,
+    /// Its length, in (0, 1].
+    pub position: f64,
+    /// How it is written.
+    pub label: RichText,
+}
+
+impl Axis {
+    /// An axis up to `limit`, for values of which `smallest` is the smallest positive one.
+    ///
+    /// A limit that is no positive number becomes 1. The floor of a logarithmic axis is the power of ten below
+    /// `smallest`, three to six decades below the limit.
+    pub fn new(scale: RadialScale, limit: f64, smallest: Option<f64>) -> Self {
+        let limit = if limit.is_finite() && limit > 0.0 {
+            limit.max(1e-300)
         } else {
             1.0
         };
-        match self {
-            Self::Log => 10f64.powf(peak.log10().ceil()),
-            // A little room above the tip; the rings are round values, not the rim.
-            Self::Linear | Self::CubeRoot => 1.04 * peak,
+        let floor = match scale {
+            RadialScale::Linear | RadialScale::CubeRoot => 0.0,
+            RadialScale::Log => {
+                // The decade that the limit ends: 1 for limits in (0.1, 1].
+                let top = (limit.log10() - 1e-9).ceil() as i32;
+                let wanted =
+                    smallest.map_or(top - DECADES.0, |x| (x.log10() - 1e-9).floor() as i32);
+                10f64.powi(wanted.clamp(top - DECADES.1, top - DECADES.0))
+            }
+        };
+        Self {
+            scale,
+            limit,
+            floor,
         }
     }
 
-    /// Round values inside the axis, the smallest first.
-    pub fn ticks(self, limit: f64) -> Vec<Tick> {
-        let values: Vec<f64> = match self {
-            Self::Linear => {
-                let step = nice_step(limit / 3.5);
-                (1..)
-                    .map(|k| f64::from(k) * step)
-                    .take_while(|value| *value <= limit)
-                    .collect()
-            }
-            Self::CubeRoot => {
-                // Down from a round value near the limit by factors of about ten: radii ⅓ to 1.
-                let top = nice_floor(limit);
-                let mut values: Vec<f64> = [1.0, 0.3, 0.05]
-                    .into_iter()
-                    .map(|share| nice_floor(top * share))
-                    .collect();
-                values.dedup();
-                values.reverse();
-                values
-            }
-            Self::Log => {
-                let top = limit.log10().round() as i32;
-                (top - DECADES + 1..=top)
-                    .map(|exponent| 10f64.powi(exponent))
-                    .collect()
-            }
+    /// The length of a value: 0 at the floor and below, 1 at the limit, more above it.
+    pub fn position(&self, value: f64) -> f64 {
+        match self.scale {
+            RadialScale::Linear => (value / self.limit).max(0.0),
+            RadialScale::CubeRoot => (value / self.limit).max(0.0).cbrt(),
+            RadialScale::Log if value <= self.floor => 0.0,
+            RadialScale::Log => (value / self.floor).log10() / (self.limit / self.floor).log10(),
+        }
+    }
+
+    /// The value of a length: the inverse of [`Axis::position`] above the floor.
+    pub fn value(&self, position: f64) -> f64 {
+        match self.scale {
+            RadialScale::Linear => self.limit * position,
+            RadialScale::CubeRoot => self.limit * position.powi(3),
+            RadialScale::Log => self.floor * (self.limit / self.floor).powf(position),
+        }
+    }
+
+    /// About `count` round values in (floor, limit], ascending: 1, 2, 5 times powers of ten, or the powers alone
+    /// on a logarithmic axis.
+    pub fn ticks(&self, count: usize) -> Vec<Tick> {
+        let count = count.max(1);
+        let values = match self.scale {
+            RadialScale::Linear => even_values(self.limit, count),
+            RadialScale::CubeRoot => self.spread_values(0.8 / count as f64),
+            RadialScale::Log => self.decades(count),
         };
         values
             .into_iter()
             .map(|value| Tick {
                 value,
-                label: label(value, self == Self::Log),
+                position: self.position(value),
+                label: RichText::parse(&match self.scale {
+                    RadialScale::Log => power_of_ten(value),
+                    _ => number(value),
+                }),
             })
             .collect()
     }
-}
 
-/// The largest of 1, 2, 5 · 10^k at or below `x`.
-fn nice_floor(x: f64) -> f64 {
-    let decade = 10f64.powf(x.log10().floor());
-    let mantissa = x / decade * (1.0 + 1e-9);
-    decade
-        * [5.0, 2.0, 1.0]
-            .into_iter()
-            .find(|nice| mantissa >= *nice)
-            .unwrap_or(1.0)
-}
-
-/// The smallest of 1, 2, 5 · 10^k at or above `x`.
-fn nice_step(x: f64) -> f64 {
-    let below = nice_floor(x);
-    [1.0, 2.0, 2.5, 5.0]
-        .into_iter()
-        .map(|factor| nice_floor(below * factor))
-        .find(|step| *step >= x * (1.0 - 1e-9))
-        .unwrap_or(5.0 * below)
-}
-
-/// A round value as a label: a power of ten where `as_power` or where plain digits grow long.
-pub fn label(value: f64, as_power: bool) -> String {
-    let exponent = value.log10().floor() as i32;
-    let mantissa = value / 10f64.powi(exponent);
-    if as_power && (mantissa - 1.0).abs() < 1e-9 && !(-1..=2).contains(&exponent) {
-        return format!("10^{{{}}}", minus(exponent));
-    }
-    if (-3..5).contains(&exponent) {
-        return format!("{value:.*}", (-exponent).max(0) as usize);
-    }
-    format!("{mantissa:.0}·10^{{{}}}", minus(exponent))
-}
-
-/// A number with a true minus sign.
-fn minus(exponent: i32) -> String {
-    exponent.to_string().replace('-', "−")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lengths_have_their_closed_values_and_inverses() {
-        assert_eq!(RadialScale::Linear.length(5.0, 10.0), 0.5);
-        assert_eq!(RadialScale::CubeRoot.length(0.125, 1.0), 0.5);
-        assert!((RadialScale::Log.length(1.0, 100.0) - 0.5).abs() < 1e-15);
-        assert_eq!(RadialScale::Log.length(1e-9, 1.0), 0.0);
-        for scale in RADIAL_SCALES {
-            assert_eq!(scale.length(0.0, 3.0), 0.0);
-            assert!((scale.length(3.0, 3.0) - 1.0).abs() < 1e-15);
-            for value in [0.01, 0.3, 2.9] {
-                assert!((scale.value(scale.length(value, 3.0), 3.0) - value).abs() < 1e-12);
-            }
-        }
-        assert!(
-            (RadialScale::CubeRoot.length(0.5, 1.0) - RadialScale::Linear.length(0.5, 1.0)).abs()
-                > 0.2
-        );
-    }
-
-    #[test]
-    fn ticks_are_round_and_inside() {
-        let labels = |scale: RadialScale, limit: f64| {
-            scale
-                .ticks(limit)
-                .into_iter()
-                .map(|tick| tick.label)
-                .collect::<Vec<_>>()
-                .join(" ")
-        };
-        assert_eq!(labels(RadialScale::Linear, 1.04), "0.5 1.0");
-        assert_eq!(labels(RadialScale::Linear, 33.0), "10 20 30");
-        assert_eq!(labels(RadialScale::CubeRoot, 33.0), "1 5 20");
-        assert_eq!(labels(RadialScale::Log, 1000.0), "1 10 100 10^{3}");
-        for exponent in -6..7 {
-            for mantissa in [1.0, 1.7, 3.3, 9.99] {
-                let peak = mantissa * 10f64.powi(exponent);
-                for scale in RADIAL_SCALES {
-                    let limit = scale.limit(peak);
-                    let ticks = scale.ticks(limit);
-                    assert!(
-                        limit >= peak && ticks.len() >= 2,
-                        "{scale:?} {peak} {ticks:?}"
-                    );
-                    assert!(ticks.iter().all(|tick| tick.value <= limit * (1.0 + 1e-9)));
-                    assert!(ticks.windows(2).all(|pair| pair[0].value < pair[1].value));
+    /// 1-2-5 values at least `gap` of length apart, from the limit downwards.
+    fn spread_values(&self, gap: f64) -> Vec<f64> {
+        let mut values = Vec::new();
+        let mut last = f64::INFINITY;
+        let top = self.limit.log10().ceil() as i32;
+        for exponent in (top - 4..=top).rev() {
+            for digit in [5.0, 2.0, 1.0] {
+                let value = scaled(digit, exponent);
+                let position = self.position(value);
+                if position <= 1.0 + 1e-9 && last - position >= gap && position >= gap {
+                    values.push(value);
+                    last = position;
                 }
             }
         }
+        values.reverse();
+        values
     }
 
-    #[test]
-    fn nothing_to_show_still_has_an_axis() {
-        for peak in [0.0, f64::NAN, f64::INFINITY] {
-            assert!(RadialScale::Linear.limit(peak).is_finite());
-        }
+    /// Powers of ten, every first, second or third.
+    fn decades(&self, count: usize) -> Vec<f64> {
+        let bottom = self.floor.log10().round() as i32 + 1;
+        let top = (self.limit.log10() + 1e-9).floor() as i32;
+        let step = ((top - bottom + 1).max(1) as usize).div_ceil(count);
+        // Downwards, so that the largest one is always there.
+        let mut values: Vec<f64> = (bottom..=top)
+            .rev()
+            .step_by(step)
+            .map(|exponent| scaled(1.0, exponent))
+            .collect();
+        values.reverse();
+        values
     }
 }
+
+/// The next round limit that is not below `max`: 1, 1.5, 2, 2.5, 3, 4, 5, 6 or 8 times a power of ten; 1 for `max` = 0.
+pub fn nice_limit(max: f64) -> f64 {
+    if !(max > 0.0 && max.is_finite()) {
+        return 1.0;
+    }
+    let exponent = max.log10().floor() as i32;
+    let mantissa = max / 10f64.powi(exponent);
+    let digit = [1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0]
+        .into_iter()
+        .find(|digit| mantissa <= digit * (1.0 + 1e-9));
+    match digit {
+        Some(digit) => scaled(digit, exponent),
+        None => scaled(1.0, exponent + 1),
+    }
+}
+
+/// A number as markup with up to four digits: `0.25`, `1200`, `3·10^{6}`.
+pub fn number(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return format!("{value}");
+    }
+    let exponent = value.abs().log10().floor() as i32;
+    if (-3..=4).contains(&exponent) {
+        return trimmed(&format!("{value:.*}", (3 - exponent).max(0) as usize));
+    }
+    let mantissa = trimmed(&format!("{:.3}", value / 10f64.powi(exponent)));
+    format!("{mantissa}·10^{{{}}}", signed(exponent))
+}
+
+fn trimmed(digits: &str) -> String {
+    let digits = if digits.contains('.') {
+        digits.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        digits
+    };
+    digits.replace('-', "−")
+}
+
+/// A power of ten as markup: plain from 1 to 100.
+pub fn power_of_ten(value: f64) -> String {
+    match value.log10().round() as i32 {
+        exponent @ 0..=2 => number(scaled(1.0, exponent)),
+        exponent => format!("10^{{{}}}", signed(exponent)),
+    }
+}
+
+fn signed(exponent: i32) -> String {
+    exponent.to_string().replace('-', "−")
+}
+
+/// digit · 10^exponent, rounded once for negative exponents too.
+fn scaled(digit: f64, exponent: i32) -> f64 {
+    if exponent < 0 {
+        digit / 10f64.powi(-exponent)
+    } else {
+        digit * 10f64.powi(exponent)
+    }
+}
+
+/// Multiples of the smallest step of 1, 2 or 5 times a power of ten that needs no more than `count`.
+fn even_values(limit: f64, count: usize) -> Vec<f64> {
+    let least = limit / count as f64;
+    let exponent = least.log10().floor() as i32;
+    let digit = [1.0, 2.0, 5.0, 10.0]
+        .into_iter()
+        .find(|digit| scaled(*digit, exponent) >= least * (1.0 - 1e-9))
+        .unwrap_or(10.0);
+    (1..=count)
+        .map(|k| scaled(digit * k as f64, exponent))
+        .take_while(|value| *value <= limit * (1.0 + 1e-9))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests;

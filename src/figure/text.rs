@@ -1,6 +1,8 @@
-//! Text with sub- and superscripts: `ω_{r}`, `sr^{-1}`.
+//! Markup for labels and formulas: `ω_{r}` is a subscript, `x^{4}` a superscript, `sr^{−1}` a unit.
+//!
+//! A level ends at the next `}`; levels do not nest. Whatever is not markup is text, so parsing never fails.
 
-/// Where a run stands.
+/// How high a run stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Level {
     /// On the line.
@@ -11,101 +13,194 @@ pub enum Level {
     Sup,
 }
 
-/// A stretch of text on one level.
+/// Size of a subscript or superscript, relative to the text around it.
+pub const SCRIPT_SIZE: f32 = 0.72;
+
+impl Level {
+    /// Size of its letters, relative to the base.
+    pub fn relative_size(self) -> f32 {
+        match self {
+            Self::Base => 1.0,
+            Self::Sub | Self::Sup => SCRIPT_SIZE,
+        }
+    }
+}
+
+/// A piece of text on one level; never empty.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Run {
-    /// The letters.
+    /// What it says.
     pub text: String,
-    /// Where they stand.
+    /// How high it stands.
     pub level: Level,
 }
 
-/// A line of text.
+/// One line of text with subscripts and superscripts.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct RichText {
-    /// From left to right; none is empty.
+    /// From left to right.
     pub runs: Vec<Run>,
 }
 
 impl RichText {
-    /// Reads the markup `_{…}` and `^{…}`. What is no markup is text: nothing fails.
+    /// Reads markup. A `_{` or `^{` without its `}` stays as it is.
     pub fn parse(markup: &str) -> Self {
-        let mut runs = Vec::new();
-        let mut push = |text: &str, level| {
-            if !text.is_empty() {
-                runs.push(Run {
-                    text: text.to_string(),
-                    level,
-                });
-            }
-        };
+        let mut text = Self::default();
         let mut rest = markup;
-        while let Some((at, level)) = next_opening(rest) {
-            let inside = &rest[at + 2..];
-            let Some(end) = inside.find('}') else { break };
-            push(&rest[..at], Level::Base);
-            push(&inside[..end], level);
-            rest = &inside[end + 1..];
+        let mut searched = 0;
+        while let Some(found) = rest[searched..].find(['_', '^']) {
+            let at = searched + found;
+            let after = &rest[at + 1..];
+            let inside = after
+                .strip_prefix('{')
+                .and_then(|inside| inside.split_once('}'));
+            let Some((inside, behind)) = inside else {
+                searched = at + 1;
+                continue;
+            };
+            let level = if rest.as_bytes()[at] == b'_' {
+                Level::Sub
+            } else {
+                Level::Sup
+            };
+            text.push(&rest[..at], Level::Base);
+            text.push(inside, level);
+            (rest, searched) = (behind, 0);
         }
-        push(rest, Level::Base);
-        Self { runs }
+        text.push(rest, Level::Base);
+        text
     }
 
-    /// The letters alone, for file names, screen readers and widths.
+    /// Text without markup: names that people chose, where `_{` means itself.
+    pub fn literal(text: &str) -> Self {
+        let mut literal = Self::default();
+        literal.push(text, Level::Base);
+        literal
+    }
+
+    /// What it says, without levels: for screen readers and searching.
     pub fn plain(&self) -> String {
         self.runs.iter().map(|run| run.text.as_str()).collect()
     }
 
-    /// Rough width at a font size, for placing labels: true widths are known to painters only.
-    pub fn estimated_width(&self, font_size: f32) -> f32 {
-        let width = |run: &Run| {
-            let size = if run.level == Level::Base { 1.0 } else { SMALL };
-            0.54 * size * run.text.chars().count() as f32
-        };
-        font_size * self.runs.iter().map(width).sum::<f32>()
+    /// Estimated width in units of the font size; within about 15 % for the fonts in use.
+    pub fn width_em(&self) -> f32 {
+        self.runs
+            .iter()
+            .map(|run| run.level.relative_size() * run.text.chars().map(char_em).sum::<f32>())
+            .sum()
+    }
+
+    fn push(&mut self, text: &str, level: Level) {
+        if !text.is_empty() {
+            self.runs.push(Run {
+                text: text.to_owned(),
+                level,
+            });
+        }
     }
 }
 
-/// Size of sub- and superscripts per size of the line.
-pub const SMALL: f32 = 0.72;
+/// A plain name, cut with an ellipsis where it is wider than `width_em`.
+pub fn elided(name: &str, width_em: f32) -> RichText {
+    let whole = RichText::literal(name);
+    if whole.width_em() <= width_em {
+        return whole;
+    }
+    let mut kept = String::new();
+    let mut used = char_em('…');
+    for letter in name.chars() {
+        used += char_em(letter);
+        if used > width_em {
+            break;
+        }
+        kept.push(letter);
+    }
+    RichText::literal(&format!("{}…", kept.trim_end()))
+}
 
-fn next_opening(text: &str) -> Option<(usize, Level)> {
-    let sub = text.find("_{").map(|at| (at, Level::Sub));
-    let sup = text.find("^{").map(|at| (at, Level::Sup));
-    sub.into_iter().chain(sup).min_by_key(|(at, _)| *at)
+fn char_em(letter: char) -> f32 {
+    match letter {
+        'i' | 'j' | 'l' | '.' | ',' | ':' | ';' | '·' | '\'' | '|' | ' ' => 0.25,
+        'f' | 'r' | 't' | '(' | ')' | '[' | ']' | '-' | '/' | '°' => 0.37,
+        'm' | 'w' | 'M' | 'W' | '@' | '…' | '—' => 0.85,
+        letter if letter.is_uppercase() || letter == 'ω' => 0.66,
+        // Scripts that are set in squares.
+        '\u{1100}'..='\u{11ff}' | '\u{2e80}'.. => 1.0,
+        _ => 0.55,
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn levels(markup: &str) -> String {
-        let show = |run: &Run| match run.level {
-            Level::Base => run.text.clone(),
-            Level::Sub => format!("[{}]", run.text),
-            Level::Sup => format!("<{}>", run.text),
-        };
-        RichText::parse(markup).runs.iter().map(show).collect()
+    fn runs(markup: &str) -> Vec<(String, Level)> {
+        RichText::parse(markup)
+            .runs
+            .into_iter()
+            .map(|run| (run.text, run.level))
+            .collect()
+    }
+
+    fn run(text: &str, level: Level) -> (String, Level) {
+        (text.to_owned(), level)
     }
 
     #[test]
-    fn markup_becomes_runs() {
-        assert_eq!(levels("ω_{r}·ω_{o}"), "ω[r]·ω[o]");
-        assert_eq!(levels("(ω_{h}·n)^{4}"), "(ω[h]·n)<4>");
-        assert_eq!(RichText::parse("f_{r} [sr^{-1}]").plain(), "fr [sr-1]");
+    fn levels_are_read() {
+        use Level::{Base, Sub, Sup};
+        assert_eq!(runs("sr^{−1}"), [run("sr", Base), run("−1", Sup)]);
+        assert_eq!(
+            runs("(ω_{h}·n)^{4s}"),
+            [
+                run("(ω", Base),
+                run("h", Sub),
+                run("·n)", Base),
+                run("4s", Sup)
+            ]
+        );
+        assert_eq!(
+            runs("k_{s}^{2}"),
+            [run("k", Base), run("s", Sub), run("2", Sup)]
+        );
+        assert_ne!(runs("x^{4}"), runs("x_{4}"));
     }
 
     #[test]
     fn what_is_no_markup_is_text() {
-        for plain in [
-            "",
-            "a_b",
-            "2^3",
-            "open _{",
-            "}{",
-            "a_{}b".replace("_{}", "").as_str(),
+        for text in [
+            "a_b", "a^b", "x_{open", "}", "{a}", "_", "^", "5 ^ {3}", "ω_", "_^{",
         ] {
-            assert_eq!(levels(plain), plain);
+            assert_eq!(runs(text), [run(text, Level::Base)], "{text}");
+        }
+        assert_eq!(runs(""), []);
+        assert_eq!(runs("x_{}"), [run("x", Level::Base)]);
+        assert_eq!(
+            runs("a_b_{c}"),
+            [run("a_b", Level::Base), run("c", Level::Sub)]
+        );
+        assert_eq!(RichText::literal("a_{b}").plain(), "a_{b}");
+        assert_eq!(RichText::parse("a_{b}").plain(), "ab");
+    }
+
+    #[test]
+    fn long_names_are_cut() {
+        assert_eq!(elided("nickel", 10.0).plain(), "nickel");
+        let cut = elided("specular-orange-phenolic-remeasured", 6.0);
+        assert!(cut.plain().ends_with('…') && cut.plain().starts_with("spec"));
+        assert!(cut.width_em() <= 6.0);
+    }
+
+    #[test]
+    fn formulas_of_all_models_read_without_braces() {
+        for model in crate::brdf::MODELS {
+            let mut texts = vec![model.formula];
+            texts.extend(model.params.iter().map(|param| param.symbol));
+            for text in texts {
+                let plain = RichText::parse(text).plain();
+                assert!(!plain.contains(['{', '}', '_', '^']), "{text}: {plain}");
+            }
         }
     }
 }

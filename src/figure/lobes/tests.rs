@@ -1,125 +1,169 @@
+use super::draw::off_segment;
 use super::*;
 use crate::figure::drawing::Item;
+use crate::figure::palette::Role;
 use crate::figure::scale::RADIAL_SCALES;
 use crate::geom::Cosines;
+use std::f64::consts::FRAC_PI_2;
 
 const SIZE: [f32; 2] = [640.0, 400.0];
 
-/// A closed form: f = 0.1 + (wr·wo)^20.
+/// 0.1 + (wr·wo)^20.
 fn closed_form(wi: DVec3, wo: DVec3) -> Option<Rgb> {
     let c = Cosines::from_directions(wi, wo);
-    Some([0.1 + c.wr_wo.cos.powi(20); 3])
+    Some([0.1 + c.wr_wo.cos.max(0.0).powi(20); 3])
 }
 
-fn lines_of_series(plot: &LobePlot) -> Vec<&Vec<Point>> {
-    let is_curve = |item: &&Item| matches!(item, Item::Line { ink, points, .. } if matches!(ink.role, Role::Series(_)) && points.len() > 2);
-    plot.drawing
-        .items
-        .iter()
-        .filter(is_curve)
-        .filter_map(|item| match item {
-            Item::Line { points, .. } => Some(points),
-            _ => None,
-        })
-        .collect()
-}
-
-/// Largest distance between drawn values and the closed form, per axis length, with a shift of the angle put in.
-fn worst_distance(scale: RadialScale, planted_deg: f64) -> f64 {
-    let theta_i = 50f64.to_radians();
-    let spec = LobeSpec {
-        theta_i: vec![theta_i],
-        scale,
-        ..LobeSpec::default()
-    };
-    let curve = Curve {
+fn curve(f_r: &dyn Fn(DVec3, DVec3) -> Option<Rgb>) -> Curve<'_> {
+    Curve {
         label: "f".into(),
         dashed: false,
         series: 0,
-        f_r: &closed_form,
+        f_r,
+    }
+}
+
+/// The polylines of curves; the legend's has two points.
+fn drawn(plot: &LobePlot) -> Vec<&Vec<Point>> {
+    let lines = plot.drawing.items.iter().filter_map(|item| match item {
+        Item::Line { points, ink, .. } if matches!(ink.role, Role::Series(_)) => Some(points),
+        _ => None,
+    });
+    lines.filter(|points| points.len() > 2).collect()
+}
+
+/// Farthest distance of a drawn polyline from 0.1 + cos^20 of the angle to the mirror direction, in shares of the
+/// axis, at angles all over it; with a turn put in.
+fn worst_distance(scale: RadialScale, with_cosine: bool, planted_deg: f64) -> f64 {
+    let theta_i = 50f64.to_radians();
+    let spec = LobeSpec {
+        theta_i: vec![theta_i],
+        active: 0,
+        scale,
+        with_cosine,
+        ..LobeSpec::default()
     };
-    let plot = LobePlot::new(&spec, &[curve], SIZE);
-    let frame = &plot.frame;
-    let points = lines_of_series(&plot)[0];
-    assert!(points.len() > 700);
-    points
-        .iter()
-        .map(|point| {
-            let (theta_o, value) = frame.theta_o_and_value(*point);
-            // wr·wo is the cosine of the angle from the mirror direction, which is at +θi.
-            let base = (theta_o - theta_i - planted_deg.to_radians())
-                .cos()
-                .max(0.0);
-            let expected = 0.1 + base.powi(20);
-            (scale.length(value, frame.limit) - scale.length(expected, frame.limit)).abs()
-        })
-        .fold(0.0, f64::max)
+    let plot = LobePlot::new(&spec, &[curve(&closed_form)], SIZE);
+    let (frame, lines) = (&plot.frame, drawn(&plot));
+    assert_eq!(lines.len(), 1);
+    let factor = if with_cosine { theta_i.cos() } else { 1.0 };
+    let mut worst: f64 = 0.0;
+    for deg in -89..=89 {
+        let theta_o = f64::from(deg).to_radians();
+        let base = (theta_o - theta_i - planted_deg.to_radians())
+            .cos()
+            .max(0.0);
+        let wanted = frame.point(theta_o, factor * (0.1 + base.powi(20)));
+        let nearest = lines[0]
+            .windows(2)
+            .map(|pair| off_segment(wanted, pair[0], pair[1]))
+            .fold(f32::MAX, f32::min);
+        worst = worst.max(f64::from(nearest / frame.radius));
+    }
+    worst
 }
 
 #[test]
 fn curves_are_the_function_on_every_scale() {
     for scale in RADIAL_SCALES {
-        assert!(
-            worst_distance(scale, 0.0) < 1e-4,
-            "{scale:?}: {}",
-            worst_distance(scale, 0.0)
-        );
+        for with_cosine in [false, true] {
+            let worst = worst_distance(scale, with_cosine, 0.0);
+            assert!(worst < 1e-4, "{scale:?}: {worst}");
+        }
     }
 }
 
 #[test]
 fn a_lobe_turned_by_a_tenth_of_a_degree_is_caught() {
     for scale in RADIAL_SCALES {
-        assert!(worst_distance(scale, 0.1) > 1e-3);
+        assert!(worst_distance(scale, false, 0.1) > 5e-4);
     }
 }
 
 #[test]
 fn where_nothing_was_measured_there_is_a_gap() {
-    let gap = |wi: DVec3, wo: DVec3| {
-        if wo.x.abs() < 0.2 {
-            None
-        } else {
-            closed_form(wi, wo)
-        }
+    let gap = |wi: DVec3, wo: DVec3| closed_form(wi, wo).filter(|_| wo.x.abs() >= 0.2);
+    let spec = LobeSpec {
+        theta_i: vec![0.7],
+        active: 0,
+        ..LobeSpec::default()
     };
-    let curve = Curve {
-        label: "f".into(),
-        dashed: false,
-        series: 0,
-        f_r: &gap,
-    };
-    let spec = LobeSpec::default();
-    let plot = LobePlot::new(&spec, &[curve], SIZE);
-    let lines = lines_of_series(&plot);
+    let plot = LobePlot::new(&spec, &[curve(&gap)], SIZE);
+    let lines = drawn(&plot);
     assert_eq!(lines.len(), 2);
     for point in lines.into_iter().flatten() {
-        let (theta_o, _) = plot.frame.theta_o_and_value(*point);
-        assert!(
-            theta_o.sin().abs() >= 0.2 - 1e-6,
-            "a line runs through the gap"
-        );
+        let (theta_o, value) = plot.frame.locate(*point).expect("in the disc");
+        assert!(theta_o.sin().abs() >= 0.2 - 1e-4 && value > 0.09);
     }
+    let whole = LobePlot::new(&spec, &[curve(&closed_form)], SIZE);
+    assert_eq!(drawn(&whole).len(), 1);
+    let nan = |_: DVec3, _: DVec3| Some([f64::NAN; 3]);
+    let none = LobePlot::new(&spec, &[curve(&nan)], SIZE);
+    assert!(drawn(&none).is_empty());
+    let said: Vec<String> = none.drawing.labels().map(|l| l.text.plain()).collect();
+    assert!(said.contains(&"No value at these angles.".to_owned()));
+}
+
+#[test]
+fn past_a_fixed_limit_curves_end_on_the_rim() {
+    let spec = LobeSpec {
+        theta_i: vec![0.7],
+        active: 0,
+        limit: Some(0.5),
+        scale: RadialScale::Linear,
+        ..LobeSpec::default()
+    };
+    let plot = LobePlot::new(&spec, &[curve(&closed_form)], SIZE);
+    let (frame, lines) = (&plot.frame, drawn(&plot));
+    assert_eq!((frame.axis.limit, lines.len()), (0.5, 2));
+    let radius = |p: Point| distance(p, frame.origin) / frame.radius;
+    assert!((radius(lines[0][lines[0].len() - 1]) - 1.0).abs() < 1e-4);
+    assert!((radius(lines[1][0]) - 1.0).abs() < 1e-4);
+    assert!(lines.into_iter().flatten().all(|p| radius(*p) < 1.0 + 1e-4));
 }
 
 #[test]
 fn narrow_lobes_keep_their_peak() {
     let narrow = |wi: DVec3, wo: DVec3| {
-        let c = Cosines::from_directions(wi, wo);
-        Some([c.wr_wo.pow(1e5); 3])
-    };
-    let curve = Curve {
-        label: "f".into(),
-        dashed: false,
-        series: 0,
-        f_r: &narrow,
+        let mirrored = DVec3::new(-wi.x, -wi.y, wi.z);
+        Some([(-1e5 * 0.5 * (mirrored - wo).length_squared()).exp(); 3])
     };
     let spec = LobeSpec {
         theta_i: vec![0.7123],
+        active: 0,
         ..LobeSpec::default()
     };
-    let plot = LobePlot::new(&spec, &[curve], SIZE);
-    assert!((plot.frame.limit / spec.scale.limit(1.0) - 1.0).abs() < 1e-6);
+    let plot = LobePlot::new(&spec, &[curve(&narrow)], SIZE);
+    let (theta_o, value) = plot.traces[0].peak().expect("has values");
+    assert!((theta_o - 0.7123).abs() < 1e-12 && (value - 1.0).abs() < 1e-9);
+    assert_eq!(plot.frame.axis.limit, 1.0);
+}
+
+#[test]
+fn points_and_angles_lead_back_to_each_other() {
+    for scale in RADIAL_SCALES {
+        let frame = LobeFrame {
+            origin: [320.0, 350.0],
+            radius: 300.0,
+            axis: Axis::new(scale, 8.0, Some(1e-2)),
+            theta_i: vec![],
+        };
+        for deg in [-89.0, -30.0, 0.0, 45.0, 89.0_f64] {
+            for value in [0.1, 1.0, 7.9] {
+                let there = frame.point(deg.to_radians(), value);
+                let (theta_o, back) = frame.locate(there).expect("in the disc");
+                assert!((theta_o.to_degrees() - deg).abs() < 0.01);
+                assert!(
+                    (back / value - 1.0).abs() < 1e-3,
+                    "{scale:?} {value} {back}"
+                );
+            }
+        }
+        // To the right is positive, up is the normal.
+        assert!(frame.point(1.0, 8.0)[0] > 320.0 && frame.point(0.0, 8.0)[1] < 60.0);
+        assert_eq!(frame.locate([320.0, 351.0]), None);
+        assert_eq!(frame.locate([20.0, 100.0]), None);
+    }
 }
 
 #[test]
@@ -130,40 +174,145 @@ fn the_light_can_be_taken_where_it_is_drawn() {
     };
     let frame = LobePlot::new(&spec, &[], SIZE).frame;
     for (index, theta_i) in spec.theta_i.iter().enumerate() {
-        let point = frame.at(-theta_i, frame::HANDLE);
+        let point = frame.handle(*theta_i);
+        assert!(point[0] < frame.origin[0]);
         assert_eq!(frame.nearest_light(point, 10.0), Some(index));
         assert!((frame.theta_i_at(point) - theta_i).abs() < 1e-6);
     }
     assert_eq!(frame.nearest_light(frame.at(0.3, 1.0), 10.0), None);
     assert_eq!(frame.theta_o_at([SIZE[0] / 2.0, SIZE[1] - 1.0]), None);
+    assert_eq!(frame.theta_i_at([SIZE[0], 10.0]), 0.0);
+    assert_eq!(frame.theta_i_at([0.0, SIZE[1]]), MAX_THETA_I);
 }
 
 #[test]
-fn every_size_stays_inside_and_finite() {
-    let curve = || Curve {
-        label: "a rather long name of a material".into(),
-        dashed: true,
-        series: 3,
-        f_r: &closed_form,
+fn the_pointer_finds_the_value_under_it() {
+    let flat = |_: DVec3, _: DVec3| Some([0.5; 3]);
+    let spec = LobeSpec {
+        theta_i: vec![0.7],
+        ..LobeSpec::default()
     };
-    for size in [
-        [60.0, 60.0],
-        [250.0, 200.0],
-        [1200.0, 900.0],
-        [900.0, 150.0],
-    ] {
-        let spec = LobeSpec {
-            probe_theta_o: Some(0.4),
-            ..LobeSpec::default()
+    let plot = LobePlot::new(&spec, &[curve(&closed_form), curve(&flat)], SIZE);
+    let near = plot.frame.point(-0.5, 0.48);
+    let hit = plot.hit(near, 12.0).expect("one is near");
+    assert_eq!((hit.curve, hit.lobe), (1, 0));
+    assert!((hit.theta_o + 0.5).abs() < 1e-4 && (hit.value - 0.5).abs() < 1e-9);
+    assert_eq!(plot.hit(plot.frame.point(-0.5, 0.9), 12.0), None);
+}
+
+#[test]
+fn hidden_curves_count_for_nothing() {
+    let high = |_: DVec3, _: DVec3| Some([50.0; 3]);
+    let curves = || {
+        let model = Curve {
+            dashed: true,
+            ..curve(&high)
         };
-        let plot = LobePlot::new(&spec, &[curve()], size);
-        for item in &plot.drawing.items {
-            let points: Vec<Point> = match item {
-                Item::Line { points, .. } | Item::Fill { points, .. } => points.clone(),
-                Item::Dot { center, .. } => vec![*center],
-                Item::Text { position, .. } => vec![*position],
-            };
-            assert!(points.iter().flatten().all(|x| x.is_finite()));
+        [curve(&closed_form), model]
+    };
+    let spec = LobeSpec {
+        show_model: false,
+        ..LobeSpec::default()
+    };
+    let limit = |spec: &LobeSpec| LobePlot::new(spec, &curves(), SIZE).frame.axis.limit;
+    assert_eq!(limit(&LobeSpec::default()), 50.0);
+    assert_eq!(limit(&spec), 1.5);
+}
+
+/// Pairs of texts that overlap, and texts that stick out.
+fn clashes(drawing: &Drawing) -> Vec<String> {
+    let labels: Vec<_> = drawing.labels().collect();
+    let mut clashes = Vec::new();
+    for (k, a) in labels.iter().enumerate() {
+        let [min, max] = a.bounds();
+        if min[0] < 0.0 || min[1] < 0.0 || max[0] > drawing.size[0] || max[1] > drawing.size[1] {
+            clashes.push(format!("{} outside", a.text.plain()));
+        }
+        for b in &labels[..k] {
+            let [bmin, bmax] = b.bounds();
+            if (0..2).all(|axis| min[axis] < bmax[axis] && bmin[axis] < max[axis]) {
+                clashes.push(format!("{} on {}", a.text.plain(), b.text.plain()));
+            }
         }
     }
+    clashes
+}
+
+#[test]
+fn no_text_covers_another_in_any_size() {
+    for size in [
+        [250.0, 200.0],
+        [300.0, 600.0],
+        [900.0, 250.0],
+        [640.0, 400.0],
+        [1200.0, 900.0],
+    ] {
+        for scale in RADIAL_SCALES {
+            for theta_i_deg in [[0.0, 45.0, 80.0], [30.0, 60.0, 85.0], [1.0, 2.0, 89.5]] {
+                for probe in [None, Some(0.4), Some(-1.56)] {
+                    let spec = LobeSpec {
+                        theta_i: theta_i_deg.map(f64::to_radians).to_vec(),
+                        scale,
+                        probe_theta_o: probe,
+                        ..LobeSpec::default()
+                    };
+                    let long = Curve {
+                        label: "a rather long name of a material (synthetic)".into(),
+                        ..curve(&closed_form)
+                    };
+                    let plot = LobePlot::new(&spec, &[long, curve(&closed_form)], size);
+                    let clashes = clashes(&plot.drawing);
+                    assert!(clashes.is_empty(), "{size:?} {spec:?}: {clashes:?}");
+                    assert!(plot.frame.radius > 0.3 * size[0].min(1.2 * size[1]));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_text_drawn_twice_is_caught() {
+    let mut drawing = LobePlot::new(&LobeSpec::default(), &[], SIZE).drawing;
+    assert_eq!(clashes(&drawing), Vec::<String>::new());
+    let mut texts = drawing
+        .items
+        .iter()
+        .filter(|item| matches!(item, Item::Text(_)));
+    let first = texts.next().cloned().expect("has a title");
+    drawing.items.push(first);
+    assert_eq!(clashes(&drawing).len(), 1);
+}
+
+#[test]
+fn every_size_is_drawn_with_finite_numbers() {
+    for size in [[0.0, 0.0], [60.0, 60.0], [900.0, 150.0], [1e4, 1e4]] {
+        for theta_i in [vec![], vec![0.0], vec![FRAC_PI_2]] {
+            let spec = LobeSpec {
+                theta_i,
+                active: 7,
+                probe_theta_o: Some(0.4),
+                ..LobeSpec::default()
+            };
+            let drawing = LobePlot::new(&spec, &[curve(&closed_form)], size).drawing;
+            for item in &drawing.items {
+                let points = match item {
+                    Item::Line { points, .. } | Item::Fill { points, .. } => points.clone(),
+                    Item::Dot { center, .. } => vec![*center],
+                    Item::Text(label) => vec![label.pos],
+                };
+                assert!(points.iter().flatten().all(|x| x.is_finite()));
+            }
+        }
+    }
+}
+
+#[test]
+fn channels_are_found_by_key() {
+    for channel in CHANNELS {
+        assert_eq!(Channel::by_key(channel.key()), Some(channel));
+    }
+    assert_eq!(
+        [Channel::R, Channel::G, Channel::B].map(|c| c.of([1.0, 2.0, 3.0])),
+        [1.0, 2.0, 3.0]
+    );
 }

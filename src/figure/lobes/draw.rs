@@ -1,0 +1,226 @@
+//! The curves of a lobe plot, what names them, and the order in which all is drawn.
+
+use super::backdrop::{self, Sheet};
+use super::layout::{Plan, SWATCH_EM};
+use super::{Curve, LobeFrame, LobeSpec, Trace};
+use crate::figure::drawing::{Anchor, Drawing, Item, Point};
+use crate::figure::palette::{Ink, Role};
+use crate::figure::text::RichText;
+
+/// Dash and gap in points, of models.
+pub(super) const DASH: [f32; 2] = [6.0, 3.5];
+
+pub(super) fn draw(
+    spec: &LobeSpec,
+    curves: &[Curve],
+    traces: &[Trace],
+    frame: &LobeFrame,
+    plan: &Plan,
+    size: [f32; 2],
+) -> Drawing {
+    let mut sheet = Sheet::new(frame, plan.font, size);
+    let (title, at) = &plan.title;
+    let label = sheet.label(title.clone(), *at, Anchor::LEFT, Role::Muted);
+    sheet.placing.place(&mut sheet.drawing, label);
+    legend(&mut sheet, curves, plan);
+    backdrop::ground(&mut sheet);
+    backdrop::vectors(&mut sheet, spec);
+    backdrop::rim_labels(&mut sheet);
+    backdrop::ring_labels(&mut sheet);
+    // The active lobes over the others, models over measurements.
+    let mut order: Vec<&Trace> = traces.iter().collect();
+    order.sort_by_key(|trace| (trace.lobe == spec.active, curves[trace.curve].dashed));
+    for trace in &order {
+        lobe(
+            &mut sheet,
+            trace,
+            &curves[trace.curve],
+            trace.lobe == spec.active,
+        );
+    }
+    backdrop::handles(&mut sheet, spec);
+    probe_dots(&mut sheet, spec, curves, &order);
+    lobe_labels(&mut sheet, spec, traces);
+    if !traces.iter().any(|trace| trace.values().next().is_some()) {
+        nothing(&mut sheet, curves.is_empty());
+    }
+    sheet.drawing
+}
+
+fn legend(sheet: &mut Sheet, curves: &[Curve], plan: &Plan) {
+    for (curve, name, [x, y]) in &plan.legend {
+        let curve = &curves[*curve];
+        let swatch = (SWATCH_EM - 0.5) * sheet.font;
+        sheet.drawing.dashed_line(
+            vec![[*x, *y], [x + swatch, *y]],
+            2.0,
+            curve.dashed.then_some(DASH),
+            Role::Series(curve.series).into(),
+        );
+        let at = [x + SWATCH_EM * sheet.font, *y];
+        let label = sheet.label(name.clone(), at, Anchor::LEFT, Role::Foreground);
+        sheet.placing.place(&mut sheet.drawing, label);
+    }
+}
+
+/// A trace as polylines, broken where it has no value and where it leaves the rim.
+fn lobe(sheet: &mut Sheet, trace: &Trace, curve: &Curve, active: bool) {
+    let ink = Ink::from(Role::Series(curve.series)).faded(if active { 1.0 } else { 0.5 });
+    let width = if active { 2.0 } else { 1.2 };
+    for points in runs(sheet.frame, trace) {
+        if let [lone] = points[..] {
+            sheet.drawing.items.push(Item::Dot {
+                center: lone,
+                radius: 0.5 * width,
+                ink,
+                outline: None,
+            });
+        }
+        let dash = curve.dashed.then_some(DASH);
+        sheet.drawing.dashed_line(thinned(points), width, dash, ink);
+    }
+}
+
+/// The pieces of a trace between gaps, inside the rim.
+fn runs(frame: &LobeFrame, trace: &Trace) -> Vec<Vec<Point>> {
+    let (mut runs, mut run) = (Vec::new(), Vec::new());
+    let mut last: Option<(f64, f64)> = None;
+    for sample in &trace.samples {
+        let next = sample
+            .value
+            .map(|value| (sample.theta_o, frame.axis.position(value)));
+        // Where the curve leaves or enters the rim, on it.
+        if let (Some(a), Some(b)) = (last, next)
+            && (a.1 > 1.0) != (b.1 > 1.0)
+        {
+            let t = (1.0 - a.1) / (b.1 - a.1);
+            run.push(frame.at(a.0 + t * (b.0 - a.0), 1.0));
+        }
+        match next {
+            Some((theta_o, position)) if position <= 1.0 => run.push(frame.at(theta_o, position)),
+            _ => runs.push(std::mem::take(&mut run)),
+        }
+        last = next;
+    }
+    runs.push(run);
+    runs.retain(|run| !run.is_empty());
+    runs
+}
+
+/// Farthest that a thinned curve may be from the samples it leaves out, in points.
+const THINNING: f32 = 0.02;
+
+/// Without the points that lie on the line between their neighbours [Douglas and Peucker].
+fn thinned(points: Vec<Point>) -> Vec<Point> {
+    if points.len() < 3 {
+        return points;
+    }
+    let mut kept = vec![false; points.len()];
+    let mut spans = vec![(0, points.len() - 1)];
+    while let Some((first, last)) = spans.pop() {
+        (kept[first], kept[last]) = (true, true);
+        let farthest = (first + 1..last)
+            .map(|k| (k, off_segment(points[k], points[first], points[last])))
+            .max_by(|a, b| a.1.total_cmp(&b.1));
+        if let Some((k, off)) = farthest
+            && off > THINNING
+        {
+            spans.extend([(first, k), (k, last)]);
+        }
+    }
+    let mut kept = kept.into_iter();
+    let mut points = points;
+    points.retain(|_| kept.next().unwrap_or(true));
+    points
+}
+
+/// Distance of a point from a segment.
+pub(super) fn off_segment(p: Point, a: Point, b: Point) -> f32 {
+    let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+    let (px, py) = (p[0] - a[0], p[1] - a[1]);
+    let length_squared = dx * dx + dy * dy;
+    let t = if length_squared > 0.0 {
+        ((px * dx + py * dy) / length_squared).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    (px - t * dx).hypot(py - t * dy)
+}
+
+/// Where the probe meets the active lobes.
+fn probe_dots(sheet: &mut Sheet, spec: &LobeSpec, curves: &[Curve], traces: &[&Trace]) {
+    let Some(theta_o) = spec.probe_theta_o else {
+        return;
+    };
+    for trace in traces.iter().filter(|trace| trace.lobe == spec.active) {
+        let Some(value) = trace.value_at(theta_o) else {
+            continue;
+        };
+        if sheet.frame.axis.position(value) <= 1.0 {
+            sheet.drawing.items.push(Item::Dot {
+                center: sheet.frame.point(theta_o, value),
+                radius: 4.0,
+                ink: Role::Series(curves[trace.curve].series).into(),
+                outline: Some((1.5, Role::Background.into())),
+            });
+        }
+    }
+}
+
+/// θi beside the tip of each lobe, where there is room: the active one first.
+fn lobe_labels(sheet: &mut Sheet, spec: &LobeSpec, traces: &[Trace]) {
+    if spec.theta_i.len() < 2 {
+        return;
+    }
+    let mut lobes: Vec<usize> = (0..spec.theta_i.len()).collect();
+    lobes.sort_by_key(|lobe| *lobe != spec.active);
+    for lobe in lobes {
+        let highest = traces
+            .iter()
+            .filter(|trace| trace.lobe == lobe)
+            .filter_map(Trace::peak)
+            .max_by(|a, b| a.1.total_cmp(&b.1));
+        let Some((theta_o, value)) = highest else {
+            continue;
+        };
+        let degrees = (10.0 * spec.theta_i[lobe].to_degrees()).round() / 10.0;
+        let text = RichText::literal(&format!("{degrees}°"));
+        let position = sheet.frame.axis.position(value).min(1.0);
+        let role = if lobe == spec.active {
+            Role::Foreground
+        } else {
+            Role::Muted
+        };
+        let tip = sheet.frame.at(theta_o, position);
+        let gap = 0.35 * sheet.font;
+        // Beyond the tip, then beside it on either side, a little inwards.
+        for turn_deg in [0.0, 100.0, -100.0, 60.0, -60.0, 130.0, -130.0_f64] {
+            let heading = theta_o + turn_deg.to_radians();
+            let (dx, dy) = (heading.sin() as f32, -heading.cos() as f32);
+            let at = [tip[0] + gap * dx, tip[1] + gap * dy];
+            let mut label = sheet.label(text.clone(), at, Anchor::towards(-dx, -dy), role);
+            label.halo = true;
+            if sheet.inside_disc(&label) && sheet.placing.try_place(&mut sheet.drawing, label) {
+                break;
+            }
+        }
+    }
+}
+
+/// One sentence in place of curves.
+fn nothing(sheet: &mut Sheet, no_curves: bool) {
+    let sentence = if no_curves {
+        "Open a material to see its lobes."
+    } else {
+        "No value at these angles."
+    };
+    let mut text = RichText::literal(sentence);
+    let room = 1.7 * sheet.frame.radius / sheet.font;
+    if text.width_em() > room {
+        text = RichText::literal("Nothing to show.");
+    }
+    let at = sheet.frame.at(0.0, 0.45);
+    let mut label = sheet.label(text, at, Anchor::CENTER, Role::Muted);
+    label.halo = true;
+    sheet.placing.place(&mut sheet.drawing, label);
+}
