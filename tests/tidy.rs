@@ -23,7 +23,7 @@ const RULES: [Rule; 9] = [
     },
     Rule {
         module: "measured",
-        may_use: &["geom"],
+        may_use: &["geom", "brdf"],
         pure: true,
     },
     Rule {

@@ -6,6 +6,7 @@ mod history;
 mod jobs;
 pub mod paint;
 mod panels;
+mod run_command;
 pub mod startup;
 pub mod state;
 mod tasks;

@@ -1,15 +1,15 @@
 //! The one place where the state changes: `apply(state, message) → tasks`.
 
 use super::command::Command;
+use super::run_command;
 use super::state::{
-    CancelFlag, Dialog, Job, Level, LobeTile, Material, MaterialId, Notice, Opened, Origin, Probe,
-    Scene, SphereTile, State,
+    CancelFlag, Job, Level, LobeTile, Material, MaterialId, Notice, Opened, Origin, Probe, Scene,
+    SphereTile, State,
 };
-use crate::brdf::{Brdf, Fresnel, MODELS, Model, ParamId, Params};
+use crate::brdf::{Brdf, ParamId, Params};
 use crate::fit::start;
 use crate::geom::color::luminance;
 use crate::measured::Table;
-use crate::measured::lookup::Lookup;
 use crate::measured::samples::SAMPLES;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -112,7 +112,7 @@ pub enum Task {
 /// Changes the state.
 pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
     match msg {
-        Msg::Run(command) => return run(state, command),
+        Msg::Run(command) => return run_command::run(state, command),
         Msg::OpenFiles(paths) => {
             return paths
                 .into_iter()
@@ -195,116 +195,6 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
     Vec::new()
 }
 
-fn run(state: &mut State, command: Command) -> Vec<Task> {
-    match command {
-        Command::Open => return vec![Task::PickFiles],
-        Command::OpenSample(index) if index < SAMPLES.len() => {
-            return vec![load(state, Origin::Sample(index))];
-        }
-        Command::OpenSample(_) => {}
-        Command::OpenRecent(index) => {
-            let path = state.prefs.recent.get(index).cloned();
-            return path
-                .map(|path| load(state, Origin::File(path)))
-                .into_iter()
-                .collect();
-        }
-        Command::Close => {
-            let selected = state.scene.selected;
-            return apply(state, Msg::Close(selected));
-        }
-        Command::SavePicture => return vec![Task::SavePicture],
-        Command::Quit => return vec![Task::Quit],
-        Command::Undo => {
-            let State { history, scene, .. } = state;
-            history.undo(scene);
-        }
-        Command::Redo => {
-            let State { history, scene, .. } = state;
-            history.redo(scene);
-        }
-        Command::GuessParams => {
-            let Some(table) = state
-                .current()
-                .map(|(material, _)| Arc::clone(&material.table))
-            else {
-                return Vec::new();
-            };
-            edit_brdf(state, |brdf, _| {
-                let guess = start::from_table(&table);
-                let model = brdf.model;
-                *brdf = guess.with_model(model);
-            });
-        }
-        Command::ResetParams => edit_brdf(state, |brdf, _| {
-            for row in brdf.model.params {
-                brdf.params.get_mut(row.id).fill(row.default);
-            }
-        }),
-        Command::UseModel(index) => {
-            let model: &'static Model = MODELS[index.min(MODELS.len() - 1)];
-            edit_brdf(state, |brdf, _| *brdf = brdf.with_model(model));
-        }
-        Command::UseFresnel(fresnel) => edit_brdf(state, |brdf, _| change_fresnel(brdf, fresnel)),
-        Command::NextMaterial | Command::PreviousMaterial => {
-            let count = state.scene.opened.len();
-            let step = if command == Command::NextMaterial {
-                1
-            } else {
-                count.saturating_sub(1)
-            };
-            if count > 0 {
-                let next = (state.scene.selected + step) % count;
-                return apply(state, Msg::Select(next));
-            }
-        }
-        Command::UseShow(show) => edit(state, |scene| scene.sphere.show = show),
-        Command::UseLights(index) => edit(state, |scene| {
-            if let Some(preset) = crate::gpu::sphere::LIGHT_PRESETS.get(index) {
-                scene.sphere.view.lights = (preset.lights)();
-            }
-        }),
-        Command::UseScale(scale) => edit(state, |scene| scene.lobes.scale = scale),
-        Command::ToggleCosine => edit(state, |scene| {
-            scene.lobes.with_cosine = !scene.lobes.with_cosine;
-        }),
-        Command::ToggleRaw => edit(state, |scene| {
-            scene.lookup = if scene.lookup == Lookup::Nearest {
-                Lookup::Smooth
-            } else {
-                Lookup::Nearest
-            };
-        }),
-        Command::UseTheme(theme) => state.prefs.theme = theme,
-        Command::ResetLayout => return vec![Task::ResetLayout],
-        Command::CopyParams => {
-            if let Some((_, opened)) = state.current() {
-                return vec![Task::Copy(
-                    crate::brdf::json::to_value(&opened.brdf).to_string(),
-                )];
-            }
-        }
-        Command::ClearRecent => state.prefs.recent.clear(),
-        Command::Palette => {
-            state.palette_text.clear();
-            state.dialog = Some(Dialog::Palette);
-        }
-        Command::Conventions => state.dialog = Some(Dialog::Conventions),
-        Command::About => state.dialog = Some(Dialog::About),
-    }
-    Vec::new()
-}
-
-/// k_s·R_F(0) stays, so that the highlight seen from above does.
-fn change_fresnel(brdf: &mut Brdf, fresnel: Fresnel) {
-    let before = brdf.specular_at_normal();
-    let r0 = fresnel.reflectance(1.0, brdf.params.eta);
-    brdf.fresnel = fresnel;
-    if r0 > 0.0 {
-        brdf.params.k_s = before.map(|amplitude| amplitude / r0);
-    }
-}
-
 fn make_grey(params: &mut Params, id: ParamId) {
     let values = params.get_mut(id);
     if let [r, g, b] = *values {
@@ -312,12 +202,12 @@ fn make_grey(params: &mut Params, id: ParamId) {
     }
 }
 
-fn edit(state: &mut State, change: impl FnOnce(&mut Scene)) {
+pub(super) fn edit(state: &mut State, change: impl FnOnce(&mut Scene)) {
     state.history.before_change(&state.scene);
     change(&mut state.scene);
 }
 
-fn edit_brdf(state: &mut State, change: impl FnOnce(&mut Brdf, [bool; 2])) {
+pub(super) fn edit_brdf(state: &mut State, change: impl FnOnce(&mut Brdf, [bool; 2])) {
     edit(state, |scene| {
         let grey = scene.grey;
         if let Some(opened) = scene.opened.get_mut(scene.selected) {
@@ -326,7 +216,7 @@ fn edit_brdf(state: &mut State, change: impl FnOnce(&mut Brdf, [bool; 2])) {
     });
 }
 
-fn load(state: &mut State, origin: Origin) -> Task {
+pub(super) fn load(state: &mut State, origin: Origin) -> Task {
     let job = state.fresh_id();
     let cancel = CancelFlag::default();
     let label = match &origin {

@@ -1,0 +1,122 @@
+//! What each command does to the state.
+
+use super::command::Command;
+use super::state::{Dialog, Origin, State};
+use super::update::{Msg, Task, apply, edit, edit_brdf, load};
+use crate::brdf::{Brdf, Fresnel, MODELS, Model};
+use crate::fit::start;
+use crate::gpu::sphere::LIGHT_PRESETS;
+use crate::measured::lookup::Lookup;
+use crate::measured::samples::SAMPLES;
+use std::sync::Arc;
+
+/// Runs a command.
+pub(super) fn run(state: &mut State, command: Command) -> Vec<Task> {
+    match command {
+        Command::Open => return vec![Task::PickFiles],
+        Command::OpenSample(index) if index < SAMPLES.len() => {
+            return vec![load(state, Origin::Sample(index))];
+        }
+        Command::OpenSample(_) => {}
+        Command::OpenRecent(index) => {
+            let path = state.prefs.recent.get(index).cloned();
+            return path
+                .map(|path| load(state, Origin::File(path)))
+                .into_iter()
+                .collect();
+        }
+        Command::Close => {
+            let selected = state.scene.selected;
+            return apply(state, Msg::Close(selected));
+        }
+        Command::SavePicture => return vec![Task::SavePicture],
+        Command::Quit => return vec![Task::Quit],
+        Command::Undo => {
+            let State { history, scene, .. } = state;
+            history.undo(scene);
+        }
+        Command::Redo => {
+            let State { history, scene, .. } = state;
+            history.redo(scene);
+        }
+        Command::GuessParams => {
+            let Some(table) = state
+                .current()
+                .map(|(material, _)| Arc::clone(&material.table))
+            else {
+                return Vec::new();
+            };
+            edit_brdf(state, |brdf, _| {
+                let guess = start::from_table(&table);
+                let model = brdf.model;
+                *brdf = guess.with_model(model);
+            });
+        }
+        Command::ResetParams => edit_brdf(state, |brdf, _| {
+            for row in brdf.model.params {
+                brdf.params.get_mut(row.id).fill(row.default);
+            }
+        }),
+        Command::UseModel(index) => {
+            let model: &'static Model = MODELS[index.min(MODELS.len() - 1)];
+            edit_brdf(state, |brdf, _| *brdf = brdf.with_model(model));
+        }
+        Command::UseFresnel(fresnel) => edit_brdf(state, |brdf, _| change_fresnel(brdf, fresnel)),
+        Command::NextMaterial | Command::PreviousMaterial => {
+            let count = state.scene.opened.len();
+            let step = if command == Command::NextMaterial {
+                1
+            } else {
+                count.saturating_sub(1)
+            };
+            if count > 0 {
+                let next = (state.scene.selected + step) % count;
+                return apply(state, Msg::Select(next));
+            }
+        }
+        Command::UseShow(show) => edit(state, |scene| scene.sphere.show = show),
+        Command::UseLights(index) => edit(state, |scene| {
+            if let Some(preset) = LIGHT_PRESETS.get(index) {
+                scene.sphere.view.lights = (preset.lights)();
+            }
+        }),
+        Command::UseScale(scale) => edit(state, |scene| scene.lobes.scale = scale),
+        Command::ToggleCosine => edit(state, |scene| {
+            scene.lobes.with_cosine = !scene.lobes.with_cosine;
+        }),
+        Command::ToggleRaw => edit(state, |scene| {
+            scene.lookup = if scene.lookup == Lookup::Nearest {
+                Lookup::Smooth
+            } else {
+                Lookup::Nearest
+            };
+        }),
+        Command::UseTheme(theme) => state.prefs.theme = theme,
+        Command::ResetLayout => return vec![Task::ResetLayout],
+        Command::CopyParams => {
+            if let Some((_, opened)) = state.current() {
+                return vec![Task::Copy(
+                    crate::brdf::json::to_value(&opened.brdf).to_string(),
+                )];
+            }
+        }
+        Command::ClearRecent => state.prefs.recent.clear(),
+        Command::Palette => {
+            state.palette_text.clear();
+            state.dialog = Some(Dialog::Palette);
+        }
+        Command::Conventions => state.dialog = Some(Dialog::Conventions),
+        Command::About => state.dialog = Some(Dialog::About),
+    }
+    Vec::new()
+}
+
+/// k_s·R_F(0) stays, so that the highlight seen from above does.
+fn change_fresnel(brdf: &mut Brdf, fresnel: Fresnel) {
+    let before = brdf.specular_at_normal();
+    let r0 = fresnel.reflectance(1.0, brdf.params.eta);
+    brdf.fresnel = fresnel;
+    if r0 > 0.0 {
+        brdf.params.k_s = before.map(|amplitude| amplitude / r0);
+    }
+}
