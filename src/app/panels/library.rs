@@ -73,31 +73,26 @@ fn material_ui(ui: &mut egui::Ui, state: &State, index: usize, out: &mut Vec<Msg
             if close.on_hover_text("Close this material").clicked() {
                 out.push(Msg::Close(index));
             }
-            ui.with_layout(
-                egui::Layout::left_to_right(egui::Align::Center).with_main_justify(true),
-                |ui| {
-                    let row = egui::Button::selectable(
-                        index == state.scene.selected,
-                        material.name.as_str(),
-                    )
-                    .truncate();
-                    let response = ui.add(row).on_hover_ui(|ui| {
-                        ui.label(&material.name);
-                        match &material.origin {
-                            Origin::File(path) => ui.weak(path.display().to_string()),
-                            Origin::Sample(sample) => ui.weak(SAMPLES[*sample].about),
-                        };
-                        ui.weak(format!(
-                            "{valid:.1} % of {} cells measured, {} φd bins",
-                            grid.len(),
-                            grid.phi_d_bins()
-                        ));
-                    });
-                    if response.clicked() {
-                        out.push(Msg::Select(index));
-                    }
-                },
-            );
+            ui.with_layout(egui::Layout::top_down_justified(egui::Align::Min), |ui| {
+                let row =
+                    egui::Button::selectable(index == state.scene.selected, material.name.as_str())
+                        .truncate();
+                let response = ui.add(row).on_hover_ui(|ui| {
+                    ui.label(&material.name);
+                    match &material.origin {
+                        Origin::File(path) => ui.weak(path.display().to_string()),
+                        Origin::Sample(sample) => ui.weak(SAMPLES[*sample].about),
+                    };
+                    ui.weak(format!(
+                        "{valid:.1} % of {} cells measured, {} φd bins",
+                        grid.len(),
+                        grid.phi_d_bins()
+                    ));
+                });
+                if response.clicked() {
+                    out.push(Msg::Select(index));
+                }
+            });
         });
     });
 }

@@ -13,6 +13,9 @@ use egui::{Align, Color32, Layout, Slider, SliderClamping};
 
 const CHANNELS: [&str; 3] = ["R", "G", "B"];
 
+/// Room in points for a slider's number and the gap before it. A row that is wider than the panel makes it grow.
+const NUMBER_BOX: f32 = 84.0;
+
 /// Draws the panel.
 pub fn model_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     ui.add_space(6.0);
@@ -186,7 +189,7 @@ fn param_ui(ui: &mut egui::Ui, scene: &Scene, brdf: &Brdf, row: &Param, out: &mu
 }
 
 fn slider_ui(ui: &mut egui::Ui, row: &Param, value: &mut f64) -> egui::Response {
-    ui.spacing_mut().slider_width = (ui.available_width() - 76.0).max(60.0);
+    ui.spacing_mut().slider_width = (ui.available_width() - NUMBER_BOX).max(60.0);
     let mut slider = Slider::new(value, row.range.0..=row.range.1)
         .clamping(SliderClamping::Never)
         .custom_formatter(|value, _| plain_number(value));
@@ -201,16 +204,17 @@ fn slider_ui(ui: &mut egui::Ui, row: &Param, value: &mut f64) -> egui::Response 
     response
 }
 
-/// Four significant digits.
+/// Three significant digits, four where they are free; short enough for [`NUMBER_BOX`].
 fn plain_number(value: f64) -> String {
     if value == 0.0 {
         return "0".into();
     }
     let digits = value.abs().log10().floor() as i32;
     if !(-4..7).contains(&digits) {
-        return format!("{value:.2e}");
+        return format!("{value:.1e}");
     }
-    format!("{value:.*}", (3 - digits).clamp(0, 6) as usize)
+    let decimals = if digits < 0 { 2 - digits } else { 3 - digits };
+    format!("{value:.*}", decimals.clamp(0, 6) as usize)
 }
 
 /// The colour, as bright as its largest channel allows.
