@@ -341,3 +341,32 @@ fn an_idle_window_repaints_nothing() {
         "{delay:?}"
     );
 }
+
+#[test]
+fn a_typed_path_opens() {
+    if skip() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("typed.binary");
+    write_merl(&file);
+    let mut window = window(vec![], vec![]);
+    press(&mut window, Modifiers::COMMAND | Modifiers::SHIFT, Key::O);
+    assert_eq!(window.state().state().dialog, Some(Dialog::OpenPath));
+    window.event(egui::Event::Text(file.display().to_string()));
+    window.run_steps(3);
+    press(&mut window, Modifiers::NONE, Key::Enter);
+    settle(&mut window, |state| state.jobs.is_empty());
+    assert_eq!(window.state().state().current().expect("one").0.name, "typed");
+}
+
+#[test]
+fn a_dialog_that_never_was_is_named() {
+    if skip() {
+        return;
+    }
+    let mut window = window(vec![], vec![]);
+    press(&mut window, Modifiers::COMMAND, Key::O);
+    settle(&mut window, |state| !state.notices.is_empty());
+    assert!(window.state().state().notices[0].text.contains("zenity"));
+}

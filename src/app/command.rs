@@ -15,6 +15,7 @@ use std::sync::LazyLock;
 #[expect(missing_docs, reason = "the rows below say what each one does")]
 pub enum Command {
     Open,
+    OpenPath,
     OpenSample(usize),
     OpenRecent(usize),
     ClearRecent,
@@ -146,6 +147,14 @@ fn entries() -> Vec<Entry> {
         "Open…",
         Some((CTRL, Key::O)),
         "Open MERL files",
+    );
+    add(
+        "File",
+        "",
+        Command::OpenPath,
+        "Open path…",
+        Some((CTRL_SHIFT, Key::O)),
+        "Type the path of a file to open",
     );
     for (index, sample) in SAMPLES.iter().enumerate() {
         add(

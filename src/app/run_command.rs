@@ -102,8 +102,12 @@ pub(super) fn run(state: &mut State, command: Command) -> Vec<Task> {
         }
         Command::ClearRecent => state.prefs.recent.clear(),
         Command::Palette => {
-            state.palette_text.clear();
+            state.typed.clear();
             state.dialog = Some(Dialog::Palette);
+        }
+        Command::OpenPath => {
+            state.typed.clear();
+            state.dialog = Some(Dialog::OpenPath);
         }
         Command::Conventions => state.dialog = Some(Dialog::Conventions),
         Command::About => state.dialog = Some(Dialog::About),

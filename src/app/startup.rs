@@ -71,17 +71,24 @@ fn catch_missing_libraries() {
 
 /// Why there is no window, in words and with what to do.
 fn explain(error: &str) -> String {
+    // winit puts the place in its source before the reason.
+    let error = match error.split_once(".rs:") {
+        Some((_, rest)) => rest.split_once(": ").map_or(rest, |(_, reason)| reason),
+        None => error,
+    };
     let lower = error.to_lowercase();
-    let (what, todo) = if lower.contains("xkbcommon") || lower.contains("library") {
+    let (what, todo) = if lower.contains("xkbcommon") || lower.contains("librar") {
         (
             "a library that the window needs is missing",
             format!("Install it: {APT_LINE}"),
         )
-    } else if lower.contains("eventloop") || lower.contains("display") && !lower.contains("surface")
+    } else if lower.contains("display") && !lower.contains("surface") || lower.contains("x server")
     {
         (
             "there is no display to open a window on",
-            "Start it from a desktop, or set DISPLAY or WAYLAND_DISPLAY.".to_string(),
+            format!(
+                "Start it from a desktop, or on a virtual display: {APT_LINE} xvfb xauth && xvfb-run grazing"
+            ),
         )
     } else {
         (
@@ -100,8 +107,16 @@ mod tests {
     fn each_failure_says_what_to_do() {
         for (error, what) in [
             (
-                "winit EventLoopError: neither WAYLAND_DISPLAY nor DISPLAY is set",
+                "winit EventLoopError: os error at /home/a/winit/linux/mod.rs:765: neither WAYLAND_DISPLAY nor DISPLAY is set.",
+                "no display to open a window on (neither",
+            ),
+            (
+                "os error at /a/mod.rs:788: Failed to open connection to X server",
                 "no display",
+            ),
+            (
+                "os error at /a/mod.rs:788: Failed to load one of xlib's shared libraries",
+                "library",
             ),
             (
                 "WGPU error: Failed to create surface for any enabled backend",

@@ -250,6 +250,8 @@ pub enum Theme {
 pub enum Dialog {
     /// All commands, to be searched.
     Palette,
+    /// A path to open, typed.
+    OpenPath,
     /// Angles, vectors, units.
     Conventions,
     /// Version and graphics adapter.
@@ -273,8 +275,8 @@ pub struct State {
     pub notices: Vec<Notice>,
     /// The open dialog.
     pub dialog: Option<Dialog>,
-    /// What is typed in the palette.
-    pub palette_text: String,
+    /// What is typed in the open dialog: words of a command, or a path.
+    pub typed: String,
     /// What is kept between runs.
     pub prefs: Prefs,
     /// Source of numbers for materials, jobs and notices.

@@ -7,6 +7,11 @@ use crate::files;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
+use std::time::{Duration, Instant};
+
+/// A dialog that is gone sooner was never there: nobody cancels so fast, and the library does not tell the two apart.
+const NO_DIALOG: Duration = Duration::from_millis(250);
+const NO_ANSWER: &str = "No file dialog answered; install one: sudo apt-get install -y zenity.";
 
 type SavePicker = dyn Fn(&str) -> Option<PathBuf> + Send + Sync;
 
@@ -56,9 +61,15 @@ pub fn start(task: Task, ctx: &egui::Context, outbox: &Outbox, queue: &Queue, pi
         Task::PickFiles => {
             let (outbox, open) = (outbox.clone(), Arc::clone(&picker.open));
             in_thread(&outbox.clone(), "open dialog", move || {
+                let asked = Instant::now();
                 let paths = open();
                 if !paths.is_empty() {
                     outbox.send(Msg::OpenFiles(paths));
+                } else if asked.elapsed() < NO_DIALOG {
+                    outbox.send(Msg::Notify(
+                        Level::Error,
+                        format!("{NO_ANSWER} Open path… and dropping files work without it."),
+                    ));
                 }
             });
         }

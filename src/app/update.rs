@@ -52,8 +52,8 @@ pub enum Msg {
     SetLobes(LobeTile),
     /// The pointer shows a pair of directions, or none.
     SetProbe(Option<Probe>),
-    /// The palette's text.
-    PaletteText(String),
+    /// What is typed in the open dialog.
+    Typed(String),
     /// Close the dialog.
     CloseDialog,
     /// Say something.
@@ -186,7 +186,7 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
         Msg::SetSphere(sphere) => edit(state, |scene| scene.sphere = sphere),
         Msg::SetLobes(lobes) => edit(state, |scene| scene.lobes = lobes),
         Msg::SetProbe(probe) => state.probe = probe,
-        Msg::PaletteText(text) => state.palette_text = text,
+        Msg::Typed(text) => state.typed = text,
         Msg::CloseDialog => state.dialog = None,
         Msg::Notify(level, text) => notify(state, level, text),
         Msg::Dismiss(id) => state.notices.retain(|notice| notice.id != id),

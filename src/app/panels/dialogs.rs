@@ -13,6 +13,7 @@ pub fn dialog_ui(ctx: &egui::Context, state: &State, adapter: &str, out: &mut Ve
     let response = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
         match dialog {
             Dialog::Palette => palette_ui(ui, state, out),
+            Dialog::OpenPath => open_path_ui(ui, state, out),
             Dialog::Conventions => conventions_ui(ui),
             Dialog::About => about_ui(ui, adapter),
         }
@@ -30,7 +31,7 @@ pub fn dialog_ui(ctx: &egui::Context, state: &State, adapter: &str, out: &mut Ve
 
 fn palette_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     ui.set_width(460.0);
-    let mut text = state.palette_text.clone();
+    let mut text = state.typed.clone();
     let edit = ui.add(
         egui::TextEdit::singleline(&mut text)
             .hint_text("Type to search all commands")
@@ -38,7 +39,7 @@ fn palette_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     );
     edit.request_focus();
     if edit.changed() {
-        out.push(Msg::PaletteText(text.clone()));
+        out.push(Msg::Typed(text.clone()));
     }
     let found: Vec<&Entry> = ENTRIES
         .iter()
@@ -72,6 +73,32 @@ fn palette_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     if let Some(entry) = chosen {
         out.push(Msg::CloseDialog);
         out.push(Msg::Run(entry.command));
+    }
+}
+
+/// For systems without a file dialog, and for those who know the path.
+fn open_path_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+    ui.set_width(460.0);
+    ui.heading("Open path");
+    ui.add_space(4.0);
+    let mut text = state.typed.clone();
+    let edit = egui::TextEdit::singleline(&mut text)
+        .hint_text("Path of a MERL file")
+        .desired_width(f32::INFINITY);
+    let edit = ui.add(edit);
+    edit.request_focus();
+    if edit.changed() {
+        out.push(Msg::Typed(text.clone()));
+    }
+    ui.add_space(4.0);
+    let path = text.trim();
+    let chosen = ui
+        .add_enabled(!path.is_empty(), egui::Button::new("Open"))
+        .clicked()
+        || ui.input(|input| input.key_pressed(Key::Enter));
+    if chosen && !path.is_empty() {
+        out.push(Msg::CloseDialog);
+        out.push(Msg::OpenFiles(vec![path.into()]));
     }
 }
 
