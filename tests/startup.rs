@@ -14,6 +14,12 @@ fn without_a_display_it_says_what_to_do() {
     let said = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(1), "{said}");
     assert!(said.starts_with("grazing: there is no display"), "{said}");
-    assert!(said.contains("apt-get install") && said.contains("grazing info FILE"), "{said}");
-    assert!(!said.contains("panicked") && !said.contains(".rs:"), "{said}");
+    assert!(
+        said.contains("apt-get install") && said.contains("grazing info FILE"),
+        "{said}"
+    );
+    assert!(
+        !said.contains("panicked") && !said.contains(".rs:"),
+        "{said}"
+    );
 }

@@ -27,6 +27,7 @@ fn window(files: Vec<PathBuf>, to_open: Vec<PathBuf>) -> Window {
     };
     let mut window = Harness::builder()
         .with_size([1280.0, 800.0])
+        .with_step_dt(0.03)
         .with_theme(egui::Theme::Dark)
         .wgpu()
         .build_eframe(move |cc| App::new(cc, Options { files, picker }).expect("a renderer"));
@@ -172,6 +173,25 @@ fn switching_the_model_keeps_the_look_and_greys_what_it_lacks() {
             .get_by_role_and_label(Role::Slider, "eta")
             .accesskit_node()
             .is_disabled()
+    );
+}
+
+#[test]
+fn a_double_click_on_a_name_resets_that_parameter() {
+    if skip() {
+        return;
+    }
+    let mut window = window(vec![], vec![]);
+    set_slider(&mut window, "s", 1234.0);
+    let alpha = value(&window, ParamId::Alpha);
+    for _ in 0..2 {
+        window.get_by_label_contains("specular exponent").click();
+    }
+    window.run_steps(3);
+    let default = grazing::brdf::params::S.default;
+    assert_eq!(
+        (s(&window), value(&window, ParamId::Alpha)),
+        (default, alpha)
     );
 }
 
@@ -357,7 +377,10 @@ fn a_typed_path_opens() {
     window.run_steps(3);
     press(&mut window, Modifiers::NONE, Key::Enter);
     settle(&mut window, |state| state.jobs.is_empty());
-    assert_eq!(window.state().state().current().expect("one").0.name, "typed");
+    assert_eq!(
+        window.state().state().current().expect("one").0.name,
+        "typed"
+    );
 }
 
 #[test]

@@ -21,10 +21,17 @@ impl Table {
         assert_eq!(cells.len(), grid.len());
         let mut valid = 0;
         for cell in &mut cells {
-            if cell.iter().all(|x| *x >= 0.0 && x.is_finite()) {
-                valid += 1;
-            } else {
-                *cell = [f32::NAN; 3];
+            // Without branches, as validity changes from cell to cell. A NaN fails every comparison.
+            let [r, g, b] = *cell;
+            let measured = (r >= 0.0)
+                & (g >= 0.0)
+                & (b >= 0.0)
+                & (r < f32::INFINITY)
+                & (g < f32::INFINITY)
+                & (b < f32::INFINITY);
+            valid += usize::from(measured);
+            for value in cell {
+                *value = if measured { *value } else { f32::NAN };
             }
         }
         Self { grid, cells, valid }

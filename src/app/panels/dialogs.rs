@@ -10,20 +10,23 @@ use egui::{Id, Key, Modal};
 /// Draws the open dialog, if any. `adapter` is the text on the graphics adapter.
 pub fn dialog_ui(ctx: &egui::Context, state: &State, adapter: &str, out: &mut Vec<Msg>) {
     let Some(dialog) = state.dialog else { return };
-    let response = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
-        match dialog {
-            Dialog::Palette => palette_ui(ui, state, out),
-            Dialog::OpenPath => open_path_ui(ui, state, out),
-            Dialog::Conventions => conventions_ui(ui),
-            Dialog::About => about_ui(ui, adapter),
-        }
-        if dialog != Dialog::Palette {
-            ui.add_space(8.0);
-            if ui.button("Close").clicked() {
-                out.push(Msg::CloseDialog);
+    let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(16.0);
+    let response = Modal::new(Id::unique("dialog"))
+        .frame(frame)
+        .show(ctx, |ui| {
+            match dialog {
+                Dialog::Palette => palette_ui(ui, state, out),
+                Dialog::OpenPath => open_path_ui(ui, state, out),
+                Dialog::Conventions => conventions_ui(ui),
+                Dialog::About => about_ui(ui, adapter),
             }
-        }
-    });
+            if dialog != Dialog::Palette {
+                ui.add_space(8.0);
+                if ui.button("Close").clicked() {
+                    out.push(Msg::CloseDialog);
+                }
+            }
+        });
     if response.should_close() {
         out.push(Msg::CloseDialog);
     }
