@@ -54,8 +54,8 @@ impl SphereUniform {
             lights,
             light_count: view.lights.len().min(MAX_LIGHTS) as u32,
             smoothly: u32::from(lookup == Lookup::Smooth),
-            // Infinities and NaN are not for shaders.
-            split: split.max(-2.0).min(2.0) as f32,
+            // Infinities are not for shaders.
+            split: split.clamp(-2.0, 2.0) as f32,
             radius_px: radius_px.max(1.0),
             hatch_dark: HATCH[0],
             hatch_light: HATCH[1],
@@ -181,7 +181,7 @@ fn create_pipeline(
         label: Some(name),
         layout: Some(layout),
         vertex: wgpu::VertexState {
-            module: module,
+            module,
             entry_point: Some(&format!("vertex_{name}")),
             compilation_options: Default::default(),
             buffers: &[],
@@ -193,7 +193,7 @@ fn create_pipeline(
         depth_stencil: None,
         multisample: Default::default(),
         fragment: Some(wgpu::FragmentState {
-            module: module,
+            module,
             entry_point: Some(&format!("fragment_{name}")),
             compilation_options: Default::default(),
             targets: &[Some(wgpu::ColorTargetState {
