@@ -96,14 +96,11 @@ fn worst_model_distance(gpu: &Gpu, library: &str) -> f64 {
         "{library}
 fn item(index: u32) -> vec4f {{
     let at = index * {stride}u;
-    var b: Brdf;
-    b.params.rho_d = inputs[at + 2u].xyz;
-    b.params.k_s = inputs[at + 3u].xyz;
-    b.params.s = inputs[at + 4u].x;
-    b.params.alpha = inputs[at + 5u].x;
-    b.params.eta = inputs[at + 6u].x;
-    b.model = bitcast<u32>(inputs[at + 7u].x);
-    b.fresnel = bitcast<u32>(inputs[at + 7u].y);
+    var slots: array<vec4f, BRDF_SLOTS>;
+    for (var k = 0u; k < BRDF_SLOTS; k++) {{
+        slots[k] = inputs[at + 2u + k];
+    }}
+    let b = brdf_from_slots(slots);
     return vec4f(eval_brdf(b, cosines_from_directions(inputs[at].xyz, inputs[at + 1u].xyz)), 1.0);
 }}"
     );

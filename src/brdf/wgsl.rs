@@ -3,37 +3,43 @@
 use super::{Brdf, MODELS, ParamId, params};
 use std::fmt::Write as _;
 
-/// The number of 16-byte slots of the uniform struct `Brdf`: one per parameter and one for what is chosen.
+/// The number of 16-byte slots that a BRDF takes in a uniform: one per parameter and one for what is chosen.
 pub const UNIFORM_SLOTS: usize = params::ALL.len() + 1;
 
-/// The uniform struct `Brdf` of [`source`] as bytes to upload: every parameter starts a slot of its own.
+/// A BRDF as `array<vec4f, BRDF_SLOTS>` to upload, which `brdf_from_slots` of [`source`] reads: every parameter has a slot
+/// of its own. Numbers are brought into the parameter's domain, on which the shader makes no inf or NaN.
+///
+/// An array of vectors, since it lies in memory the same way everywhere: on GL, members of a struct are packed without
+/// regard to `@align`.
 pub fn uniform(brdf: &Brdf) -> [[f32; 4]; UNIFORM_SLOTS] {
     let mut slots = [[0.0; 4]; UNIFORM_SLOTS];
     for (slot, row) in slots.iter_mut().zip(&params::ALL) {
+        let row = brdf.model.param(row.id).unwrap_or(row);
         for (to, from) in slot.iter_mut().zip(brdf.params.get(row.id)) {
-            *to = *from as f32;
+            *to = row.clamp(*from) as f32;
         }
     }
     slots[UNIFORM_SLOTS - 1] = [
-        f32::from_bits(brdf.model.index() as u32),
-        f32::from_bits(brdf.fresnel.index() as u32),
+        brdf.model.index() as f32,
+        brdf.fresnel.index() as f32,
         0.0,
         0.0,
     ];
     slots
 }
 
-/// WGSL that defines `struct Params`, `struct Brdf`, every lobe, and
-/// `fn eval_brdf(b: Brdf, c: Cosines) -> vec3f`, the twin of [`Brdf::eval`].
+/// WGSL that defines `struct Params`, `struct Brdf`, every lobe, `fn eval_brdf(b: Brdf, c: Cosines) -> vec3f`, the twin of
+/// [`Brdf::eval`], and `fn brdf_from_slots(slots: array<vec4f, BRDF_SLOTS>) -> Brdf`.
 pub fn source() -> String {
     let mut text = String::from("struct Params {\n");
     for row in &params::ALL {
         let ty = if row.id.is_color() { "vec3f" } else { "f32" };
-        let _ = writeln!(text, "    @align(16) {}: {ty},", row.key);
+        let _ = writeln!(text, "    {}: {ty},", row.key);
     }
     text.push_str(
-        "}\n\nstruct Brdf {\n    params: Params,\n    @align(16) model: u32,\n    fresnel: u32,\n}\n\n",
+        "}\n\nstruct Brdf {\n    params: Params,\n    model: u32,\n    fresnel: u32,\n}\n\n",
     );
+    text.push_str(&from_slots());
     text.push_str(include_str!("../geom/cosines.wgsl"));
     text.push_str(include_str!("fresnel.wgsl"));
     for model in MODELS {
@@ -59,6 +65,23 @@ fn eval_brdf(b: Brdf, c: Cosines) -> vec3f {{
         eta = ParamId::Eta.key(),
         rho_d = ParamId::RhoD.key(),
         k_s = ParamId::KS.key(),
+    );
+    text
+}
+
+fn from_slots() -> String {
+    let last = UNIFORM_SLOTS - 1;
+    let mut text = format!(
+        "const BRDF_SLOTS: u32 = {UNIFORM_SLOTS}u;\n\n\
+         fn brdf_from_slots(slots: array<vec4f, BRDF_SLOTS>) -> Brdf {{\n    let params = Params(\n"
+    );
+    for (slot, row) in params::ALL.iter().enumerate() {
+        let part = if row.id.is_color() { "xyz" } else { "x" };
+        let _ = writeln!(text, "        slots[{slot}].{part},");
+    }
+    let _ = writeln!(
+        text,
+        "    );\n    return Brdf(params, u32(slots[{last}].x), u32(slots[{last}].y));\n}}\n"
     );
     text
 }

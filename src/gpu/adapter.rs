@@ -112,9 +112,17 @@ pub struct Gpu {
 /// # Errors
 /// As [`select`].
 pub fn headless() -> Result<Gpu, String> {
+    headless_on(wgpu::Backends::all())
+}
+
+/// The same among these interfaces only.
+///
+/// # Errors
+/// As [`select`].
+pub fn headless_on(backends: wgpu::Backends) -> Result<Gpu, String> {
     let instance =
         wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
-    let adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()));
+    let adapters = pollster::block_on(instance.enumerate_adapters(backends));
     let adapter = select(&adapters, None)?;
     let (device, queue) = pollster::block_on(adapter.request_device(&device_descriptor(&adapter)))
         .map_err(|error| error.to_string())?;

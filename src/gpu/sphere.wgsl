@@ -1,4 +1,7 @@
-// The sphere pass: one draw of a square; twin of the definitions in sphere.rs.
+// The sphere pass; twin of the definitions in sphere.rs. Table and model are parts of a square with shaders of their own:
+// a software rasteriser computes both sides of every branch.
+//
+// No @align or @size in uniforms: the GLSL that GL gets knows neither, and would read other numbers.
 
 struct SphereLight {
     direction: vec3f,
@@ -7,7 +10,7 @@ struct SphereLight {
 }
 
 struct Sphere {
-    brdf: Brdf,
+    brdf: array<vec4f, BRDF_SLOTS>,
     lights: array<SphereLight, 4>,
     light_count: u32,
     // 1 between cells, 0 raw.
@@ -28,39 +31,81 @@ struct Vertex {
     @location(0) point: vec2f,
 }
 
+// A corner of the part of the square between two abscissas in [-1, 1].
+fn part(index: u32, left: f32, right: f32) -> Vertex {
+    let x = select(left, right, (index & 1u) == 1u);
+    let corner = vec2f(x, f32(index >> 1u) * 2.0 - 1.0);
+    return Vertex(vec4f(corner, 0.0, 1.0), corner * margin());
+}
+
+// The square is two pixels wider than the sphere, in units of the radius.
+fn margin() -> f32 {
+    return 1.0 + 2.0 / sphere.radius_px;
+}
+
+fn cut() -> f32 {
+    return clamp(sphere.split / margin(), -1.0, 1.0);
+}
+
 @vertex
-fn vertex_main(@builtin(vertex_index) index: u32) -> Vertex {
-    let corner = vec2f(f32(index & 1u), f32(index >> 1u)) * 2.0 - 1.0;
-    return Vertex(vec4f(corner, 0.0, 1.0), corner * (1.0 + 2.0 / sphere.radius_px));
+fn vertex_measured(@builtin(vertex_index) index: u32) -> Vertex {
+    return part(index, -1.0, cut());
+}
+
+@vertex
+fn vertex_model(@builtin(vertex_index) index: u32) -> Vertex {
+    return part(index, cut(), 1.0);
 }
 
 @fragment
-fn fragment_main(in: Vertex) -> @location(0) vec4f {
-    let radius = length(in.point);
-    let coverage = clamp((1.0 - radius) * sphere.radius_px + 0.5, 0.0, 1.0);
-    if coverage <= 0.0 {
-        return vec4f(0.0);
-    }
-    // The soft rim is shaded as the last point of the sphere.
-    let p = in.point * min(1.0, 0.9999 / max(radius, 1e-6));
-    let n = vec3f(p, sqrt(max(1.0 - dot(p, p), 0.0)));
-    let color = shade(n, in.point.x < sphere.split, in.position.xy);
+fn fragment_measured(in: Vertex) -> @location(0) vec4f {
+    return with_soft_rim(measured(frame_at(in.point), in.position.xy), in.point);
+}
+
+@fragment
+fn fragment_model(in: Vertex) -> @location(0) vec4f {
+    return with_soft_rim(modelled(frame_at(in.point)), in.point);
+}
+
+// Premultiplied; transparent outside.
+fn with_soft_rim(color: vec3f, point: vec2f) -> vec4f {
+    let coverage = clamp((1.0 - length(point)) * sphere.radius_px + 0.5, 0.0, 1.0);
     return vec4f(color, 1.0) * coverage;
 }
 
-// sRGB-encoded colour at a point with this normal.
-fn shade(n: vec3f, measured: bool, pixel: vec2f) -> vec3f {
-    let view = vec3f(0.0, 0.0, 1.0);
-    var tangent = view - n * n.z;
+// From view space to the local frame of the surface at a point.
+fn frame_at(point: vec2f) -> mat3x3f {
+    // The soft rim is shaded as the last point of the sphere.
+    let p = point * min(1.0, 0.9999 / max(length(point), 1e-6));
+    let n = vec3f(p, sqrt(max(1.0 - dot(p, p), 0.0)));
+    var tangent = VIEW - n * n.z;
     let across = length(tangent);
     if across > 1e-6 {
         tangent = tangent / across;
     } else {
         tangent = vec3f(1.0, 0.0, 0.0);
     }
-    let bitangent = cross(n, tangent);
-    let frame = transpose(mat3x3f(tangent, bitangent, n));
-    let wo = frame * view;
+    return transpose(mat3x3f(tangent, cross(n, tangent), n));
+}
+
+const VIEW = vec3f(0.0, 0.0, 1.0);
+
+// sRGB-encoded colour by the model.
+fn modelled(frame: mat3x3f) -> vec3f {
+    let brdf = brdf_from_slots(sphere.brdf);
+    let wo = frame * VIEW;
+    var radiance = vec3f(0.0);
+    for (var k = 0u; k < sphere.light_count; k++) {
+        let wi = frame * sphere.lights[k].direction;
+        let f_r = eval_brdf(brdf, cosines_from_directions(wi, wo));
+        radiance += f_r * max(wi.z, 0.0) * sphere.lights[k].irradiance;
+    }
+    return srgb_encode(radiance);
+}
+
+// sRGB-encoded colour by the table; a hatch where a light that is above the horizon has no value.
+fn measured(frame: mat3x3f, pixel: vec2f) -> vec3f {
+    let wo = frame * VIEW;
     var radiance = vec3f(0.0);
     var unmeasured = false;
     for (var k = 0u; k < sphere.light_count; k++) {
@@ -68,15 +113,10 @@ fn shade(n: vec3f, measured: bool, pixel: vec2f) -> vec3f {
         if wi.z <= 0.0 {
             continue;
         }
-        var f_r = vec3f(0.0);
-        if measured {
-            let value = lookup_table(table, sphere.smoothly == 1u, wi, wo);
-            f_r = value.rgb;
-            unmeasured = unmeasured || value.a == 0.0;
-        } else {
-            f_r = eval_brdf(sphere.brdf, cosines_from_directions(wi, wo));
-        }
-        radiance += f_r * wi.z * sphere.lights[k].irradiance;
+        let value = lookup_table(table, sphere.smoothly == 1u, wi, wo);
+        unmeasured = unmeasured || value.a == 0.0;
+        // Far past white; a larger one could overflow.
+        radiance += min(value.rgb, vec3f(1e15)) * wi.z * sphere.lights[k].irradiance;
     }
     if unmeasured {
         let stripe = fract((pixel.x + pixel.y) / 8.0) < 0.5;

@@ -66,7 +66,8 @@ impl SphereUniform {
 /// The pipeline, for one format of the target. The target is in gamma space; blending is premultiplied.
 #[derive(Debug)]
 pub struct SpherePass {
-    pipeline: wgpu::RenderPipeline,
+    measured: wgpu::RenderPipeline,
+    model: wgpu::RenderPipeline,
     layout: wgpu::BindGroupLayout,
 }
 
@@ -114,35 +115,12 @@ impl SpherePass {
             bind_group_layouts: &[Some(&layout)],
             immediate_size: 0,
         });
-        let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some("sphere"),
-            layout: Some(&pipeline_layout),
-            vertex: wgpu::VertexState {
-                module: &module,
-                entry_point: Some("vertex_main"),
-                compilation_options: Default::default(),
-                buffers: &[],
-            },
-            primitive: wgpu::PrimitiveState {
-                topology: wgpu::PrimitiveTopology::TriangleStrip,
-                ..Default::default()
-            },
-            depth_stencil: None,
-            multisample: Default::default(),
-            fragment: Some(wgpu::FragmentState {
-                module: &module,
-                entry_point: Some("fragment_main"),
-                compilation_options: Default::default(),
-                targets: &[Some(wgpu::ColorTargetState {
-                    format,
-                    blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
-                    write_mask: wgpu::ColorWrites::ALL,
-                })],
-            }),
-            multiview_mask: None,
-            cache: None,
-        });
-        Self { pipeline, layout }
+        let part = |name| create_pipeline(device, &module, &pipeline_layout, format, name);
+        Self {
+            measured: part("measured"),
+            model: part("model"),
+            layout,
+        }
     }
 
     /// Makes a slot bound to a table.
@@ -175,9 +153,12 @@ impl SpherePass {
 
     /// Draws a slot over the whole viewport of a pass.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, slot: &SphereSlot) {
-        pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &slot.bind_group, &[]);
-        pass.draw(0..4, 0..1);
+        // A part that is not seen has no area, and costs nothing.
+        for pipeline in [&self.measured, &self.model] {
+            pass.set_pipeline(pipeline);
+            pass.draw(0..4, 0..1);
+        }
     }
 }
 
@@ -186,4 +167,42 @@ impl SphereSlot {
     pub fn write(&self, queue: &wgpu::Queue, uniform: &SphereUniform) {
         queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(uniform));
     }
+}
+
+/// The pipeline of one part of the sphere, `measured` or `model`.
+fn create_pipeline(
+    device: &wgpu::Device,
+    module: &wgpu::ShaderModule,
+    layout: &wgpu::PipelineLayout,
+    format: wgpu::TextureFormat,
+    name: &str,
+) -> wgpu::RenderPipeline {
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some(name),
+        layout: Some(layout),
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some(&format!("vertex_{name}")),
+            compilation_options: Default::default(),
+            buffers: &[],
+        },
+        primitive: wgpu::PrimitiveState {
+            topology: wgpu::PrimitiveTopology::TriangleStrip,
+            ..Default::default()
+        },
+        depth_stencil: None,
+        multisample: Default::default(),
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: Some(&format!("fragment_{name}")),
+            compilation_options: Default::default(),
+            targets: &[Some(wgpu::ColorTargetState {
+                format,
+                blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+                write_mask: wgpu::ColorWrites::ALL,
+            })],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
 }
