@@ -393,3 +393,44 @@ fn a_dialog_that_never_was_is_named() {
     settle(&mut window, |state| !state.notices.is_empty());
     assert!(window.state().state().notices[0].text.contains("zenity"));
 }
+
+#[derive(Debug)]
+struct Dropped(PathBuf);
+
+impl egui::DroppedFile for Dropped {
+    fn path(&self) -> &std::path::Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        Err("nobody asks for the bytes".into())
+    }
+}
+
+#[test]
+fn several_dropped_files_open() {
+    if skip() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let paths = ["first.binary", "second.binary"].map(|name| folder.path().join(name));
+    let mut window = window(vec![], vec![]);
+    for path in paths {
+        write_merl(&path);
+        window
+            .input_mut()
+            .dropped_files
+            .push(Arc::new(Dropped(path)));
+    }
+    window.step();
+    window.input_mut().dropped_files.clear();
+    assert_eq!(window.state().state().jobs.len(), 2);
+    settle(&mut window, |state| state.jobs.is_empty());
+    let state = window.state().state();
+    let names: Vec<&str> = state
+        .materials
+        .values()
+        .map(|material| material.name.as_str())
+        .collect();
+    assert!(names.ends_with(&["first", "second"]), "{names:?}");
+}

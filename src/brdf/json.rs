@@ -51,6 +51,7 @@ pub fn from_value(value: &Value) -> Result<Brdf, BrdfJsonError> {
             }
         },
     };
+    reject_misspelt_keys(object)?;
     let mut brdf = Brdf {
         model,
         fresnel,
@@ -136,6 +137,21 @@ pub fn from_text(text: &str, index: usize) -> Result<Brdf, BrdfJsonError> {
         ))),
         _ => from_value(&value),
     }
+}
+
+/// Other keys are left alone, but not those that are a known one but for capitals and dashes: `Fresnel`, `k-s`.
+fn reject_misspelt_keys(object: &Map<String, Value>) -> Result<(), BrdfJsonError> {
+    let bare = |key: &str| key.to_lowercase().replace(['-', '_', ' '], "");
+    let rows = super::params::ALL.iter().map(|row| row.key);
+    for known in rows.chain(["model", "fresnel"]) {
+        let meant = |key: &&String| key.as_str() != known && bare(key) == bare(known);
+        if let Some(key) = object.keys().find(meant) {
+            return Err(BrdfJsonError(format!(
+                "unknown key \"{key}\"; expected \"{known}\""
+            )));
+        }
+    }
+    Ok(())
 }
 
 fn keys<'a>(keys: impl Iterator<Item = &'a str>) -> String {

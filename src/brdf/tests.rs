@@ -192,6 +192,9 @@ fn json_round_trips_and_says_what_is_wrong() {
     assert!(said("{}", 0).contains("phong, blinn-phong, combined"));
     assert!(said(r#"{"model":"ward"}"#, 0).contains("unknown model \"ward\""));
     let phong = |rest: &str| said(&format!(r#"{{"model":"phong",{rest}}}"#), 0);
+    assert!(
+        phong(r#""Fresnel":"exact""#).contains("unknown key \"Fresnel\"; expected \"fresnel\"")
+    );
     assert!(phong(r#""fresnel":"cook""#).contains("none, exact, schlick"));
     assert!(phong(r#""rho_d":[0.1,0.2]"#).contains("three numbers"));
     assert!(phong(r#""rho_d":[0,0,0],"k_s":[0,0,-1],"s":1"#).contains("out of range"));

@@ -42,6 +42,9 @@ pub fn read(path: &Path, added: &[&str]) -> Result<Directions, FileError> {
     parse(text.trim_start_matches('\u{feff}'), added).map_err(|what| FileError::new(path, what))
 }
 
+/// A turn: what is more is a slip, radians times something, or a mark for a missing value.
+const MAX_DEGREES: f64 = 360.0;
+
 fn parse(text: &str, added: &[&str]) -> Result<Directions, String> {
     let expected = ANGLES.join(",");
     let mut reader = csv::ReaderBuilder::new()
@@ -62,6 +65,11 @@ fn parse(text: &str, added: &[&str]) -> Result<Directions, String> {
         *column = match (found.next(), found.next()) {
             (Some((column, _)), None) => column,
             (Some(_), Some(_)) => return Err(format!("line 1: there are two columns {name}")),
+            (None, _) if header.len() == 1 && header[0].contains([';', '\t']) => {
+                return Err(format!(
+                    "line 1: the columns are not separated by commas; expected {expected}"
+                ));
+            }
             (None, _) => {
                 return Err(format!(
                     "line 1: there is no column {name}; expected the columns {expected}, in degrees"
@@ -74,6 +82,12 @@ fn parse(text: &str, added: &[&str]) -> Result<Directions, String> {
             "line 1: there is a column {} already, which is what is added; rename it",
             title.trim()
         ));
+    }
+    let titles: Vec<&str> = header.iter().map(str::trim).collect();
+    let twice =
+        (1..titles.len()).find(|k| !titles[*k].is_empty() && titles[..*k].contains(&titles[*k]));
+    if let Some(k) = twice {
+        return Err(format!("line 1: there are two columns {}", titles[k]));
     }
     let mut rows = Vec::new();
     for row in reader.records() {
@@ -94,6 +108,13 @@ fn parse(text: &str, added: &[&str]) -> Result<Directions, String> {
                 .parse::<f64>()
                 .ok()
                 .filter(|x| x.is_finite());
+            if number.is_some_and(|degrees| degrees.abs() > MAX_DEGREES) {
+                return Err(format!(
+                    "line {}, column {name}: {} is out of range; expected −{MAX_DEGREES} to {MAX_DEGREES} degrees",
+                    line(),
+                    &row[column]
+                ));
+            }
             let Some(degrees) = number else {
                 return Err(format!(
                     "line {}, column {name}: {:?} is no number; expected an angle in degrees",

@@ -15,24 +15,31 @@ pub struct HalfDiff {
     pub theta_h: f64,
     /// Angle between wh and wi (and between wh and wo).
     pub theta_d: f64,
-    /// Azimuth of wi around wh, from the plane that holds n and wh. 0 where wh = n or wi = wh leaves it undefined
-    /// (with wh = n it is the azimuth of wi itself).
+    /// Azimuth of wi around wh, from the plane that holds n and wh. 0 where wh = n or wi = wh leaves it undefined.
     pub phi_d: f64,
 }
 
 impl HalfDiff {
-    /// The angles of (wi, wo). `None` where wi = −wo, which have no half vector.
+    /// The angles of (wi, wo). `None` where wi = −wo off the horizon, which have no half vector; on the horizon it
+    /// is the limit of [`half_vector`].
     pub fn from_directions(wi: DVec3, wo: DVec3) -> Option<Self> {
-        let wh = (wi + wo).try_normalize()?;
+        if opposite(wi, wo) && wi.z.abs() > ROUNDING {
+            return None;
+        }
+        let wh = half_vector(wi, wo);
         let theta_h = theta(wh);
         // atan2 of chords instead of acos: exact at both ends.
         let theta_d = (wi - wo).length().atan2((wi + wo).length());
         let horizontal = wh.x.hypot(wh.y);
-        let (sin_phi_h, cos_phi_h) = if horizontal > 0.0 {
-            (wh.y / horizontal, wh.x / horizontal)
-        } else {
-            (0.0, 1.0)
-        };
+        if horizontal < ROUNDING {
+            // Mirror directions. Without a convention the rounding of sines would choose the azimuth.
+            return Some(Self {
+                theta_h,
+                theta_d,
+                phi_d: 0.0,
+            });
+        }
+        let (sin_phi_h, cos_phi_h) = (wh.y / horizontal, wh.x / horizontal);
         let tangent = DVec3::new(wh.z * cos_phi_h, wh.z * sin_phi_h, -horizontal);
         let bitangent = DVec3::new(-sin_phi_h, cos_phi_h, 0.0);
         // wi − wo has no component along wh, so it leaves nothing to cancel.
@@ -88,9 +95,20 @@ impl HalfDiff {
     }
 }
 
+/// How long a sum of unit vectors must be to have a direction: what is shorter is the rounding of sines and cosines.
+const ROUNDING: f64 = 1e-12;
+
+fn opposite(wi: DVec3, wo: DVec3) -> bool {
+    (wi + wo).length_squared() < ROUNDING * ROUNDING
+}
+
 /// The half vector of (wi, wo); the normal where wi = −wo, the limit of pairs that graze from opposite sides.
 pub fn half_vector(wi: DVec3, wo: DVec3) -> DVec3 {
-    (wi + wo).try_normalize().unwrap_or(NORMAL)
+    if opposite(wi, wo) {
+        NORMAL
+    } else {
+        (wi + wo).normalize()
+    }
 }
 
 #[cfg(test)]
@@ -157,8 +175,23 @@ mod tests {
 
     #[test]
     fn opposite_directions_have_no_half_vector() {
-        assert_eq!(HalfDiff::from_directions(DVec3::X, -DVec3::X), None);
+        let w = direction(0.5, 0.3);
+        assert_eq!(HalfDiff::from_directions(w, -w), None);
         assert_eq!(half_vector(DVec3::X, -DVec3::X), NORMAL);
+    }
+
+    #[test]
+    fn the_mirror_direction_at_the_horizon_is_the_limit() {
+        for deg in [0.0, 30.0, 45.0, 123.0_f64] {
+            let (wi, wo) = (
+                direction(FRAC_PI_2, deg.to_radians()),
+                direction(FRAC_PI_2, (deg + 180.0).to_radians()),
+            );
+            let angles = HalfDiff::from_directions(wi, wo).expect("a limit");
+            assert_eq!((angles.theta_h, angles.phi_d), (0.0, 0.0));
+            assert!((angles.theta_d - FRAC_PI_2).abs() < 1e-12);
+            assert_eq!(Cosines::from_directions(wi, wo).wh_n.cos, 1.0);
+        }
     }
 
     #[test]

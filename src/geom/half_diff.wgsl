@@ -30,8 +30,8 @@ fn half_diff_from_directions(wi: vec3f, wo: vec3f) -> HalfDiff {
     let x = dot(across, tangent);
     let y = dot(across, bitangent);
     var phi_d = 0.0;
-    // atan2(0, 0) is undefined in WGSL.
-    if x != 0.0 || y != 0.0 {
+    // Mirror directions have no azimuth, and atan2(0, 0) is undefined in WGSL.
+    if horizontal > 1e-7 && (x != 0.0 || y != 0.0) {
         phi_d = wrap(atan2(y, x), TAU);
     }
     return HalfDiff(theta_h, theta_d, phi_d);

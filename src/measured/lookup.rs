@@ -43,7 +43,7 @@ impl Lookup {
 }
 
 impl Table {
-    /// f_r of (wi, wo) in 1/sr. `None` where either is below the horizon, where wi = −wo, and where the cell that
+    /// f_r of (wi, wo) in 1/sr. `None` where either is below the horizon, and where the cell that
     /// holds the angles is invalid.
     pub fn lookup(&self, wi: DVec3, wo: DVec3, lookup: Lookup) -> Option<Rgb> {
         if wi.z < 0.0 || wo.z < 0.0 {
