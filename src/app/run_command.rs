@@ -46,22 +46,22 @@ pub(super) fn run(state: &mut State, command: Command) -> Vec<Task> {
             else {
                 return Vec::new();
             };
-            edit_brdf(state, |brdf, _| {
+            edit_brdf(state, |brdf| {
                 let guess = start::from_table(&table);
                 let model = brdf.model;
                 *brdf = guess.with_model(model);
             });
         }
-        Command::ResetParams => edit_brdf(state, |brdf, _| {
+        Command::ResetParams => edit_brdf(state, |brdf| {
             for row in brdf.model.params {
                 brdf.params.get_mut(row.id).fill(row.default);
             }
         }),
         Command::UseModel(index) => {
             let model: &'static Model = MODELS[index.min(MODELS.len() - 1)];
-            edit_brdf(state, |brdf, _| *brdf = brdf.with_model(model));
+            edit_brdf(state, |brdf| *brdf = brdf.with_model(model));
         }
-        Command::UseFresnel(fresnel) => edit_brdf(state, |brdf, _| change_fresnel(brdf, fresnel)),
+        Command::UseFresnel(fresnel) => edit_brdf(state, |brdf| change_fresnel(brdf, fresnel)),
         Command::NextMaterial | Command::PreviousMaterial => {
             let count = state.scene.opened.len();
             let step = if command == Command::NextMaterial {

@@ -157,7 +157,7 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
             });
             forget_unreachable(state);
         }
-        Msg::SetParam { id, channel, value } => edit_brdf(state, |brdf, _| {
+        Msg::SetParam { id, channel, value } => edit_brdf(state, |brdf| {
             let Some(row) = brdf.model.param(id) else {
                 return;
             };
@@ -168,7 +168,7 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
                 None => values.fill(value),
             }
         }),
-        Msg::ResetParam(id) => edit_brdf(state, |brdf, _| {
+        Msg::ResetParam(id) => edit_brdf(state, |brdf| {
             if let Some(row) = brdf.model.param(id) {
                 brdf.params.get_mut(id).fill(row.default);
             }
@@ -180,7 +180,7 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
                 }
             });
             if grey {
-                edit_brdf(state, |brdf, _| make_grey(&mut brdf.params, id));
+                edit_brdf(state, |brdf| make_grey(&mut brdf.params, id));
             }
         }
         Msg::SetSphere(sphere) => edit(state, |scene| scene.sphere = sphere),
@@ -207,11 +207,10 @@ pub(super) fn edit(state: &mut State, change: impl FnOnce(&mut Scene)) {
     change(&mut state.scene);
 }
 
-pub(super) fn edit_brdf(state: &mut State, change: impl FnOnce(&mut Brdf, [bool; 2])) {
+pub(super) fn edit_brdf(state: &mut State, change: impl FnOnce(&mut Brdf)) {
     edit(state, |scene| {
-        let grey = scene.grey;
         if let Some(opened) = scene.opened.get_mut(scene.selected) {
-            change(&mut opened.brdf, grey);
+            change(&mut opened.brdf);
         }
     });
 }

@@ -113,7 +113,9 @@ fn formula_ui(ui: &mut egui::Ui, brdf: &Brdf) {
 
 fn param_ui(ui: &mut egui::Ui, scene: &Scene, brdf: &Brdf, row: &Param, out: &mut Vec<Msg>) {
     let values = brdf.params.get(row.id);
-    let grey = Scene::grey_index(row.id).map(|index| scene.grey[index]);
+    // Colours that came from elsewhere, from a guess or an undo, are not grey because a box is ticked.
+    let is_grey = values.iter().all(|value| *value == values[0]);
+    let grey = Scene::grey_index(row.id).map(|index| scene.grey[index] && is_grey);
     let name = ui.horizontal(|ui| {
         let text = format!("{}  {}", row.symbol, row.name);
         let job = rich_text_job(&RichText::parse(&text), 13.5, ui.visuals().text_color());
