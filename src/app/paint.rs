@@ -7,14 +7,9 @@ use egui::epaint::TextShape;
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, emath::Rot2, pos2, vec2};
 
-/// The colours for the window's theme.
-pub fn palette(dark_mode: bool) -> Palette {
-    Palette::of_theme(dark_mode)
-}
-
 /// The colour of a data set.
 pub fn series_color(dark_mode: bool, series: usize) -> Color32 {
-    color(&palette(dark_mode), Role::Series(series).into())
+    color(&Palette::of_theme(dark_mode), Role::Series(series).into())
 }
 
 /// Paints a drawing with its upper left corner at `origin`.

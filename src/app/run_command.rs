@@ -4,11 +4,9 @@ use super::command::Command;
 use super::state::{Dialog, Origin, State};
 use super::update::{Msg, Task, apply, edit, edit_brdf, load};
 use crate::brdf::{Brdf, Fresnel, MODELS, Model};
-use crate::fit::start;
 use crate::gpu::sphere::LIGHT_PRESETS;
 use crate::measured::lookup::Lookup;
 use crate::measured::samples::SAMPLES;
-use std::sync::Arc;
 
 /// Runs a command.
 pub(super) fn run(state: &mut State, command: Command) -> Vec<Task> {
@@ -40,17 +38,9 @@ pub(super) fn run(state: &mut State, command: Command) -> Vec<Task> {
             history.redo(scene);
         }
         Command::GuessParams => {
-            let Some(table) = state
-                .current()
-                .map(|(material, _)| Arc::clone(&material.table))
-            else {
-                return Vec::new();
-            };
-            edit_brdf(state, |brdf| {
-                let guess = start::from_table(&table);
-                let model = brdf.model;
-                *brdf = guess.with_model(model);
-            });
+            if let Some(guess) = state.current().map(|(material, _)| material.guess) {
+                edit_brdf(state, |brdf| *brdf = guess.with_model(brdf.model));
+            }
         }
         Command::ResetParams => edit_brdf(state, |brdf| {
             for row in brdf.model.params {

@@ -37,6 +37,8 @@ pub struct Material {
     pub origin: Origin,
     /// The data.
     pub table: Arc<Table>,
+    /// The first guess of a model over it, made when it was loaded.
+    pub guess: Brdf,
 }
 
 /// Which parts of the picture the sphere shows.
@@ -302,8 +304,6 @@ impl State {
             return (None, None);
         };
         let measured = material.table.lookup(probe.wi, probe.wo, self.scene.lookup);
-        let cosines = crate::geom::Cosines::from_directions(probe.wi, probe.wo);
-        let model = cosines.above_horizon().then(|| opened.brdf.eval(&cosines));
-        (measured, model)
+        (measured, opened.brdf.f_r(probe.wi, probe.wo))
     }
 }

@@ -72,17 +72,17 @@ pub struct Loaded {
     /// The data.
     pub table: Arc<Table>,
     /// The model to begin with.
-    pub brdf: Brdf,
+    pub guess: Brdf,
 }
 
 impl Loaded {
     /// A table with its first guess; part of the job, as it walks the data.
     pub fn new(name: String, table: Table) -> Self {
-        let brdf = start::from_table(&table);
+        let guess = start::from_table(&table);
         Self {
             name,
             table: Arc::new(table),
-            brdf,
+            guess,
         }
     }
 }
@@ -249,11 +249,12 @@ fn add_material(state: &mut State, origin: Origin, loaded: Loaded) {
             name: loaded.name,
             origin,
             table: loaded.table,
+            guess: loaded.guess,
         },
     );
     let opened = Opened {
         id,
-        brdf: loaded.brdf,
+        brdf: loaded.guess,
     };
     let add = |scene: &mut Scene| {
         scene.opened.push(opened);

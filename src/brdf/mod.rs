@@ -15,6 +15,7 @@ pub use fresnel::Fresnel;
 pub use params::{Param, ParamId, Params};
 
 use crate::geom::{Cosines, Rgb};
+use glam::DVec3;
 use std::f64::consts::PI;
 
 /// A reflection model of the Phong family: the shape of its specular lobe, and what a person may say of it.
@@ -80,11 +81,17 @@ pub struct Brdf {
 }
 
 impl Brdf {
-    /// f_r in 1/sr. The cosines are clamped at 0 before use; below the horizon the formula goes on, so ask
-    /// [`Cosines::above_horizon`] where it matters.
+    /// f_r in 1/sr. The cosines are clamped at 0 before use; below the horizon the formula goes on, so take
+    /// [`Brdf::f_r`] where it matters.
     pub fn eval(&self, c: &Cosines) -> Rgb {
         let shape = self.specular_shape(c);
         std::array::from_fn(|k| self.params.rho_d[k] / PI + self.params.k_s[k] * shape)
+    }
+
+    /// f_r of (wi, wo) in 1/sr; `None` below the horizon of either.
+    pub fn f_r(&self, wi: DVec3, wo: DVec3) -> Option<Rgb> {
+        let cosines = Cosines::from_directions(wi, wo);
+        cosines.above_horizon().then(|| self.eval(&cosines))
     }
 
     /// The specular term for k_s = 1: R_F · lobe.

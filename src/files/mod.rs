@@ -9,7 +9,7 @@ pub use error::FileError;
 pub use write::write_atomically;
 
 use crate::brdf::{self, Brdf};
-use crate::geom::{Cosines, Rgb};
+use crate::geom::Rgb;
 use crate::measured::{Lookup, Table, merl};
 use glam::DVec3;
 use std::fs::File;
@@ -35,10 +35,7 @@ impl Source {
     pub fn eval(&self, wi: DVec3, wo: DVec3, lookup: Lookup) -> Option<Rgb> {
         match self {
             Self::Table(table) => table.lookup(wi, wo, lookup),
-            Self::Brdf(brdf) => {
-                let cosines = Cosines::from_directions(wi, wo);
-                cosines.above_horizon().then(|| brdf.eval(&cosines))
-            }
+            Self::Brdf(brdf) => brdf.f_r(wi, wo),
         }
     }
 }

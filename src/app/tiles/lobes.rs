@@ -5,11 +5,11 @@ use crate::app::formula::number;
 use crate::app::paint;
 use crate::app::state::{LobeTile, Probe, Scene, State};
 use crate::app::update::Msg;
-use crate::brdf::Brdf;
 use crate::figure::lobes::{CHANNELS, Curve, LobePlot, LobeSpec};
+use crate::figure::palette::Palette;
 use crate::figure::scale::RADIAL_SCALES;
 use crate::figure::text::RichText;
-use crate::geom::{Cosines, Rgb, direction};
+use crate::geom::{Rgb, direction};
 use egui::{CursorIcon, PointerButton, Sense, Vec2};
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -28,7 +28,7 @@ pub fn lobes_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
         Sense::click_and_drag(),
     );
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "Polar lobes"));
-    let palette = paint::palette(ui.visuals().dark_mode);
+    let palette = Palette::of_theme(ui.visuals().dark_mode);
     let size = [rect.width(), rect.height()];
     let Some((material, opened)) = state.current() else {
         let plot = LobePlot::new(&spec(tile, None), &[], size);
@@ -36,7 +36,7 @@ pub fn lobes_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
         return;
     };
     let measured = |wi: DVec3, wo: DVec3| material.table.lookup(wi, wo, state.scene.lookup);
-    let model = |wi: DVec3, wo: DVec3| eval(&opened.brdf, wi, wo);
+    let model = |wi: DVec3, wo: DVec3| opened.brdf.f_r(wi, wo);
     let series = state.scene.selected;
     let curves = [
         Curve {
@@ -55,11 +55,6 @@ pub fn lobes_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     let plot = LobePlot::new(&spec(tile, probe_theta_o(state, tile)), &curves, size);
     paint::paint(ui.painter(), rect.min, &plot.drawing, &palette);
     interact(ui, &response, state, &plot, out);
-}
-
-fn eval(brdf: &Brdf, wi: DVec3, wo: DVec3) -> Option<Rgb> {
-    let cosines = Cosines::from_directions(wi, wo);
-    cosines.above_horizon().then(|| brdf.eval(&cosines))
 }
 
 fn spec(tile: &LobeTile, probe_theta_o: Option<f64>) -> LobeSpec {
