@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::skip_gpu;
 use egui_kittest::{Harness, SnapshotOptions};
 use grazing::app::command::Command;
 use grazing::app::state::{Show, Theme};
@@ -65,13 +66,9 @@ fn check(window: &mut Harness<'static, App>, name: &str) {
     );
 }
 
-fn skip() -> bool {
-    std::env::var("SKIP_GPU").is_ok_and(|value| value == "1")
-}
-
 #[test]
 fn the_dark_window() {
-    if skip() {
+    if skip_gpu() {
         return;
     }
     check(&mut window(Theme::Dark), "window_dark");
@@ -79,7 +76,7 @@ fn the_dark_window() {
 
 #[test]
 fn the_light_window() {
-    if skip() {
+    if skip_gpu() {
         return;
     }
     check(&mut window(Theme::Light), "window_light");
@@ -87,7 +84,7 @@ fn the_light_window() {
 
 #[test]
 fn two_spheres_and_logarithmic_lobes() {
-    if skip() {
+    if skip_gpu() {
         return;
     }
     let mut window = window(Theme::Light);
@@ -101,7 +98,7 @@ fn two_spheres_and_logarithmic_lobes() {
 
 #[test]
 fn a_turned_light_is_noticed() {
-    if skip() {
+    if skip_gpu() {
         return;
     }
     let mut window = window(Theme::Dark);

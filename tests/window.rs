@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::write_merl;
+use common::{skip_gpu, write_merl};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
@@ -15,10 +15,6 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 type Window = Harness<'static, App>;
-
-fn skip() -> bool {
-    std::env::var("SKIP_GPU").is_ok_and(|value| value == "1")
-}
 
 fn window(files: Vec<PathBuf>, to_open: Vec<PathBuf>) -> Window {
     let picker = Picker {
@@ -74,6 +70,21 @@ fn set_slider(window: &mut Window, name: &str, to: f64) {
     window.run_steps(3);
 }
 
+/// Drags with the pointer along these points.
+fn drag(window: &mut Window, path: &[egui::Pos2]) {
+    let [from, via @ .., to] = path else {
+        panic!("a drag has a start and an end")
+    };
+    window.drag_at(*from);
+    window.run_steps(2);
+    for point in via.iter().chain([to]) {
+        window.hover_at(*point);
+        window.run_steps(2);
+    }
+    window.drop_at(*to);
+    window.run_steps(3);
+}
+
 fn press(window: &mut Window, modifiers: Modifiers, key: Key) {
     window.key_press_modifiers(modifiers, key);
     window.run_steps(3);
@@ -81,7 +92,7 @@ fn press(window: &mut Window, modifiers: Modifiers, key: Key) {
 
 #[test]
 fn it_starts_with_a_synthetic_sample_and_a_model_over_it() {
-    if skip() {
+    if skip_gpu() {
         return;
     }
     let window = window(vec![], vec![]);
@@ -95,7 +106,7 @@ fn it_starts_with_a_synthetic_sample_and_a_model_over_it() {
 
 #[test]
 fn a_slider_moves_the_model_and_undo_takes_it_back() {
-    if skip() {
+    if skip_gpu() {
         return;
     }
     let mut window = window(vec![], vec![]);
@@ -111,21 +122,14 @@ fn a_slider_moves_the_model_and_undo_takes_it_back() {
 
 #[test]
 fn a_drag_with_the_pointer_is_one_step() {
-    if skip() {
+    if skip_gpu() {
         return;
     }
     let mut window = window(vec![], vec![]);
     let before = value(&window, ParamId::Alpha);
     let rect = window.get_by_role_and_label(Role::Slider, "alpha").rect();
     let at = |share: f32| egui::pos2(rect.left() + share * rect.width(), rect.center().y);
-    window.drag_at(at(0.5));
-    window.run_steps(2);
-    for share in [0.3, 0.4, 0.2] {
-        window.hover_at(at(share));
-        window.run_steps(2);
-    }
-    window.drop_at(at(0.1));
-    window.run_steps(3);
+    drag(&mut window, &[0.5, 0.3, 0.4, 0.2, 0.1].map(at));
     assert!(
         value(&window, ParamId::Alpha) < 0.2,
         "{}",
@@ -138,7 +142,7 @@ fn a_drag_with_the_pointer_is_one_step() {
 
 #[test]
 fn switching_the_model_keeps_the_look_and_greys_what_it_lacks() {
-    if skip() {
+    if skip_gpu() {
         return;
     }
     let mut window = window(vec![], vec![]);
@@ -178,7 +182,7 @@ fn switching_the_model_keeps_the_look_and_greys_what_it_lacks() {
 
 #[test]
 fn a_double_click_on_a_name_resets_that_parameter() {
-    if skip() {
+    if skip_gpu() {
         return;
     }
     let mut window = window(vec![], vec![]);
@@ -197,7 +201,7 @@ fn a_double_click_on_a_name_resets_that_parameter() {
 
 #[test]
 fn grey_moves_the_channels_as_one() {
-    if skip() {
+    if skip_gpu() {
         return;
     }
     let mut window = window(vec![], vec![]);
@@ -229,7 +233,7 @@ fn grey_moves_the_channels_as_one() {
 
 #[test]
 fn files_open_through_the_dialog_and_bad_ones_leave_the_rest() {
-    if skip() {
+    if skip_gpu() {
         return;
     }
     let folder = tempfile::tempdir().expect("a folder");
@@ -270,7 +274,7 @@ fn files_open_through_the_dialog_and_bad_ones_leave_the_rest() {
 
 #[test]
 fn the_palette_finds_and_runs_commands() {
-    if skip() {
+    if skip_gpu() {
         return;
     }
     let mut window = window(vec![], vec![]);
@@ -285,7 +289,7 @@ fn the_palette_finds_and_runs_commands() {
 
 #[test]
 fn dragging_on_the_sphere_moves_its_light_and_hovering_reads_it() {
-    if skip() {
+    if skip_gpu() {
         return;
     }
     let mut window = window(vec![], vec![]);
@@ -296,12 +300,7 @@ fn dragging_on_the_sphere_moves_its_light_and_hovering_reads_it() {
     window.hover_at(at(60.0, -50.0));
     window.run_steps(2);
     assert!(window.state().state().probe.is_some());
-    window.drag_at(at(60.0, -50.0));
-    window.run_steps(2);
-    window.hover_at(at(-80.0, 20.0));
-    window.run_steps(2);
-    window.drop_at(at(-80.0, 20.0));
-    window.run_steps(3);
+    drag(&mut window, &[at(60.0, -50.0), at(-80.0, 20.0)]);
     let after = lights(&window);
     assert!(
         after[0].direction.x < 0.0 && after[1] == before[1],
@@ -313,7 +312,7 @@ fn dragging_on_the_sphere_moves_its_light_and_hovering_reads_it() {
 
 #[test]
 fn dragging_in_the_lobes_turns_the_light() {
-    if skip() {
+    if skip_gpu() {
         return;
     }
     let mut window = window(vec![], vec![]);
@@ -330,12 +329,7 @@ fn dragging_in_the_lobes_turns_the_light() {
     let frame =
         grazing::figure::lobes::LobePlot::new(&spec, &[], [rect.width(), rect.height()]).frame;
     let point = |theta: f64| rect.min + egui::Vec2::from(frame.at(theta, 1.0));
-    window.drag_at(point(-before[1]));
-    window.run_steps(2);
-    window.hover_at(point(-0.5));
-    window.run_steps(2);
-    window.drop_at(point(-0.5));
-    window.run_steps(3);
+    drag(&mut window, &[point(-before[1]), point(-0.5)]);
     let after = &window.state().state().scene.lobes.theta_i;
     assert!(
         (after[1] - 0.5).abs() < 0.01 && after[0] == before[0],
@@ -345,7 +339,7 @@ fn dragging_in_the_lobes_turns_the_light() {
 
 #[test]
 fn an_idle_window_repaints_nothing() {
-    if skip() {
+    if skip_gpu() {
         return;
     }
     let mut window = window(vec![], vec![]);
@@ -364,7 +358,7 @@ fn an_idle_window_repaints_nothing() {
 
 #[test]
 fn a_typed_path_opens() {
-    if skip() {
+    if skip_gpu() {
         return;
     }
     let folder = tempfile::tempdir().expect("a folder");
@@ -385,7 +379,7 @@ fn a_typed_path_opens() {
 
 #[test]
 fn a_dialog_that_never_was_is_named() {
-    if skip() {
+    if skip_gpu() {
         return;
     }
     let mut window = window(vec![], vec![]);
@@ -409,7 +403,7 @@ impl egui::DroppedFile for Dropped {
 
 #[test]
 fn several_dropped_files_open() {
-    if skip() {
+    if skip_gpu() {
         return;
     }
     let folder = tempfile::tempdir().expect("a folder");

@@ -4,10 +4,18 @@
 use grazing::gpu::adapter::{Gpu, headless};
 use grazing::gpu::table_texture::TableTexture;
 
+/// Whether SKIP_GPU=1 asks to leave out what needs an adapter; says so.
+pub fn skip_gpu() -> bool {
+    let skip = std::env::var("SKIP_GPU").is_ok_and(|value| value == "1");
+    if skip {
+        eprintln!("SKIP_GPU=1: skipped");
+    }
+    skip
+}
+
 /// The adapter; `None` if SKIP_GPU=1. Without either the test fails.
 pub fn gpu() -> Option<Gpu> {
-    if std::env::var("SKIP_GPU").is_ok_and(|value| value == "1") {
-        eprintln!("SKIP_GPU=1: skipped");
+    if skip_gpu() {
         return None;
     }
     match headless() {
