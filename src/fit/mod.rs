@@ -7,10 +7,20 @@
 //!
 //! Work is spread over the threads of the current rayon pool; results do not depend on their number.
 
+mod cells;
+mod descent;
+#[cfg(test)]
+mod experiment;
+mod lanes;
 pub mod options;
 pub mod outcome;
+mod passes;
 pub mod problem;
+mod regression;
+mod shape;
+mod sites;
 pub mod start;
+mod vertex;
 
 pub use options::{Options, Partial, STAGES, Stage, Variant, WEIGHTS, Weight};
 pub use outcome::{Concern, Ended, Errors, Outcome, Progress, StageReport};
@@ -25,7 +35,8 @@ pub type Watch<'a> = &'a mut dyn FnMut(&Progress) -> ControlFlow<()>;
 ///
 /// Stopped by `watch`, the outcome is the best so far.
 pub fn fit(problem: &Problem, variant: Variant, options: &Options, watch: Watch) -> Outcome {
-    problem::stub(problem, variant, options, watch)
+    let _ = (problem, variant, options, watch);
+    todo!()
 }
 
 /// Fits several variants; what one finds helps those that contain it, so this is quicker than one by one.

@@ -1,14 +1,30 @@
-//! The data of a fit.
+//! The data of a fit: a table, a weight and a grazing limit, arranged for passes.
 
-use super::options::{Options, STAGES, Variant, Weight};
-use super::outcome::{Ended, Errors, Outcome, Progress, StageReport};
-use crate::brdf::Brdf;
+use super::lanes::LANES;
+use super::options::{GRAZING, Variant, Weight, default_bounds};
+use super::outcome::Errors;
+use super::passes::{self, Amplitudes};
+use super::regression::Limits;
+use super::shape::{Lobe, Shape, Threads};
+use super::sites::{Row, Sampling, Sites};
+use crate::brdf::{Brdf, ParamId};
 use crate::measured::Table;
+use rayon::prelude::*;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A table, a weight and a grazing limit: what the error of a model is measured on.
+///
+/// Holds a copy of the valid f_r in the order of the passes, about 18 MB for the usual grid, and two small samples of
+/// it for searching.
 #[derive(Clone, Debug)]
 pub struct Problem {
-    guess: Brdf,
+    /// All cells.
+    pub(super) all: Sites,
+    /// About one in ten.
+    pub(super) medium: Sites,
+    /// About one in fifty.
+    pub(super) coarse: Sites,
+    grazing: bool,
 }
 
 /// Why there is nothing to fit.
@@ -22,80 +38,53 @@ pub enum ProblemError {
     Black,
 }
 
+const MEDIUM: Sampling = Sampling {
+    theta_d: 30,
+    phi_d: 2 * LANES,
+};
+const COARSE: Sampling = Sampling {
+    theta_d: 15,
+    phi_d: LANES,
+};
+
 impl Problem {
     /// Arranges a table for fitting. `limit` is the grazing limit in radians: cells with θi or θo above it do not
     /// count, and [`super::options::NO_LIMIT`] leaves none out that is above the horizon.
     ///
     /// # Errors
     /// If no cell counts or all are 0.
-    pub fn new(table: &Table, _weight: Weight, _limit: f64) -> Result<Self, ProblemError> {
+    pub fn new(table: &Table, weight: Weight, limit: f64) -> Result<Self, ProblemError> {
+        let limit = limit.clamp(0.0, FRAC_PI_2);
+        let all = Sites::new(table, weight, limit, None)?;
+        // A sample may miss what little there is.
+        let sample = |sampling| {
+            Sites::new(table, weight, limit, Some(sampling)).unwrap_or_else(|_| all.clone())
+        };
         Ok(Self {
-            guess: super::start::from_table(table),
+            medium: sample(MEDIUM),
+            coarse: sample(COARSE),
+            grazing: limit >= GRAZING,
+            all,
         })
     }
 
-    /// E of a model.
-    pub fn errors(&self, _brdf: &Brdf) -> Errors {
-        Errors {
-            total: 0.25,
-            grazing: Some(0.5),
-            channels: [0.2, 0.25, 0.3],
-        }
+    /// E of a model over all cells; one pass.
+    pub fn error(&self, brdf: &Brdf) -> f64 {
+        let (lobe, amplitudes) = self.parts(brdf);
+        passes::error(&lobe, &self.all, &amplitudes, Threads::Many)
     }
 
-    /// The model with the best ρ_d and k_s within their default bounds for its (s, α, η): stage 1.
-    pub fn with_best_amplitudes(&self, brdf: &Brdf) -> Brdf {
-        *brdf
+    /// Bytes of f_r that a pass over all cells reads.
+    pub fn bytes(&self) -> usize {
+        self.all.bytes()
     }
-}
 
-pub(super) fn stub(
-    problem: &Problem,
-    variant: Variant,
-    options: &Options,
-    watch: super::Watch,
-) -> Outcome {
-    let guess = problem.guess.with_model(variant.model);
-    let mut ended = Ended::Converged;
-    let mut brdf = variant.with(guess.params);
-    let mut stages = Vec::new();
-    for stage in STAGES.into_iter().filter(|stage| options.runs(*stage)) {
-        let start = brdf;
-        for k in 0..50 {
-            brdf.params.s *= 1.002;
-            std::hint::black_box((0..2_000_000).fold(0.0_f64, |a, k| (a + f64::from(k)).sqrt()));
-            let progress = Progress {
-                stage,
-                brdf,
-                error: 0.3 / (1.0 + 0.01 * f64::from(k)) / stage.number() as f64,
-                all_cells: k > 30,
-                evaluations: k as usize + 1,
-                share: (stage.number() as f32 - 1.0 + k as f32 / 50.0) / 4.0,
-            };
-            if watch(&progress).is_break() {
-                ended = Ended::Cancelled;
-                break;
-            }
-        }
-        stages.push(StageReport {
-            stage,
-            start,
-            start_error: 0.3 / stage.number() as f64,
-            end: brdf,
-            error: 0.2 / stage.number() as f64,
-            evaluations: 50,
-        });
-        if ended == Ended::Cancelled {
-            break;
-        }
-    }
-    Outcome {
-        brdf,
-        errors: problem.errors(&brdf),
-        evaluations: 50 * stages.len(),
-        stages,
-        ended,
-        albedo: [[0.3; 3]; 3],
-        concerns: Vec::new(),
+    pub(super) fn parts(&self, brdf: &Brdf) -> (Lobe, Amplitudes) {
+        let shape = Shape::of(Variant::from(brdf), &brdf.params);
+        let amplitudes = Amplitudes {
+            diffuse: brdf.params.rho_d.map(|rho_d| rho_d / PI / self.all.scale),
+            specular: brdf.params.k_s.map(|k_s| k_s / self.all.scale),
+        };
+        (Lobe::new(shape, brdf.fresnel), amplitudes)
     }
 }

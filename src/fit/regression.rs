@@ -1,0 +1,222 @@
+//! The L1 regression of stage 1: for a fixed shape x = R_F · lobe the best a = ρ_d/π and b = k_s per channel.
+//!
+//! Σ w |a + b x − f| is convex in (a, b). Newton steps on the sum with its kinks rounded off within a band come
+//! near in a few passes [Madsen93]; steps on a parabola that lies above the sum are the way back where one goes too
+//! far. [`super::vertex`] then goes to the exact minimum.
+
+use super::passes::{self, Amplitudes, ChannelSums};
+use super::shape::Threads;
+use super::sites::Sites;
+
+/// Bounds of the amplitudes in units of [`Sites::scale`], the same for all channels unless held.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Of ρ_d/π per channel.
+    pub diffuse: [(f64, f64); 3],
+    /// Of k_s per channel.
+    pub specular: [(f64, f64); 3],
+}
+
+impl Limits {
+    /// The bounds of a and b of a channel.
+    pub fn of(&self, channel: usize) -> [(f64, f64); 2] {
+        [self.diffuse[channel], self.specular[channel]]
+    }
+
+    /// The nearest amplitudes within.
+    pub fn clamp(&self, mut amplitudes: Amplitudes) -> Amplitudes {
+        for channel in 0..3 {
+            let [a, b] = self.of(channel);
+            amplitudes.diffuse[channel] = amplitudes.diffuse[channel].clamp(a.0, a.1);
+            amplitudes.specular[channel] = amplitudes.specular[channel].clamp(b.0, b.1);
+        }
+        amplitudes
+    }
+}
+
+/// How long to go on.
+#[derive(Clone, Copy, Debug)]
+pub struct Effort {
+    /// Stop where a step promises less than this share of the error.
+    pub tolerance: f64,
+    /// Passes at most.
+    pub passes: usize,
+    /// Half width of the band to begin with, relative to the model.
+    pub band: f64,
+}
+
+impl Effort {
+    /// From nowhere in particular.
+    pub const COLD: Self = Self {
+        tolerance: 1e-5,
+        passes: 16,
+        band: 2.0,
+    };
+    /// From the solution of a shape nearby.
+    pub const WARM: Self = Self {
+        tolerance: 1e-6,
+        passes: 8,
+        band: 0.1,
+    };
+}
+
+/// Narrow enough: the minimum of the rounded sum is within 1e-6 of the true one, as the bias goes with its 4th power.
+const NARROW: f64 = 0.03;
+/// The narrowest, for data that a model meets exactly.
+const NARROWEST: f64 = 1e-6;
+/// How much of the parabola is added to the curvature, which few residuals within the band may leave too small.
+const SAFEGUARD: f64 = 0.02;
+
+/// Something to begin with where nothing is known: the mean as diffuse, no highlight.
+pub fn cold(sites: &Sites, limits: &Limits) -> Amplitudes {
+    limits.clamp(Amplitudes {
+        diffuse: sites.shares.map(|share| 2.0 * share),
+        specular: sites.shares.map(|share| 1e-3 * share),
+    })
+}
+
+/// One channel on its way.
+struct Descent {
+    at: [f64; 2],
+    best: [f64; 2],
+    sums: ChannelSums,
+    band: f64,
+    careful: bool,
+    done: bool,
+}
+
+/// The amplitudes that minimise the error, near enough for [`Effort::tolerance`], and the error per channel.
+pub fn solve(
+    sites: &Sites,
+    shapes: &[f32],
+    start: &Amplitudes,
+    limits: &Limits,
+    effort: Effort,
+    threads: Threads,
+) -> (Amplitudes, [f64; 3]) {
+    let start = limits.clamp(*start);
+    let mut channels: [Descent; 3] = std::array::from_fn(|k| Descent {
+        at: [start.diffuse[k], start.specular[k]],
+        best: [start.diffuse[k], start.specular[k]],
+        sums: ChannelSums {
+            error: f64::INFINITY,
+            ..ChannelSums::default()
+        },
+        band: effort.band,
+        careful: false,
+        // A black channel has nothing to say.
+        done: sites.shares[k] <= 0.0,
+    });
+    for _ in 0..effort.passes {
+        let at = amplitudes(|k| channels[k].at);
+        let bands = std::array::from_fn(|k| channels[k].band);
+        let floor = std::array::from_fn(|k| (3e-3 * sites.shares[k] * bands[k]).max(1e-25));
+        let sums = passes::regression(sites, shapes, &at, bands, floor, threads);
+        for (k, channel) in channels.iter_mut().enumerate() {
+            if !channel.done {
+                channel.learn(&sums[k], &limits.of(k), effort.tolerance);
+            }
+        }
+        if channels.iter().all(|channel| channel.done) {
+            break;
+        }
+    }
+    let errors = std::array::from_fn(|k| match channels[k].sums.error {
+        error if error.is_finite() => error,
+        _ => 0.0,
+    });
+    (amplitudes(|k| channels[k].best), errors)
+}
+
+fn amplitudes(of: impl Fn(usize) -> [f64; 2]) -> Amplitudes {
+    Amplitudes {
+        diffuse: std::array::from_fn(|k| of(k)[0]),
+        specular: std::array::from_fn(|k| of(k)[1]),
+    }
+}
+
+impl Descent {
+    /// Takes the sums at `at`, and sets out for the next point or is done.
+    fn learn(&mut self, sums: &ChannelSums, bounds: &[(f64, f64); 2], tolerance: f64) {
+        let better = sums.error < self.sums.error;
+        if better {
+            self.best = self.at;
+            self.sums = *sums;
+            self.careful = false;
+        } else if self.careful {
+            // Even the parabola finds nothing better: what is left is rounding.
+            self.done = self.band <= NARROW;
+        } else {
+            self.careful = true;
+        }
+        let ChannelSums {
+            slope,
+            curvature,
+            majorant,
+            error,
+        } = self.sums;
+        let matrix = match self.careful {
+            true => majorant,
+            false => std::array::from_fn(|k| curvature[k] + SAFEGUARD * majorant[k]),
+        };
+        let step = step_within(slope, matrix, self.best, bounds);
+        let gain = -value(slope, matrix, step);
+        // All residuals within the band: the data are met nearly exactly, and the kinks are nearer than the band.
+        let exact = curvature[0] > 0.95 * majorant[0];
+        let narrowest = if exact { NARROWEST } else { NARROW };
+        if gain <= tolerance * error && self.band <= narrowest.max(NARROW * 1.01) && !exact
+            || error <= 1e-9
+            || !(gain.is_finite())
+            || self.band <= NARROWEST
+        {
+            self.done = true;
+        }
+        if gain <= 0.1 * error || exact {
+            self.band = (self.band * if exact { 0.1 } else { 0.3 }).max(narrowest);
+        }
+        self.at = [self.best[0] + step[0], self.best[1] + step[1]];
+        for (x, (low, high)) in self.at.iter_mut().zip(bounds) {
+            *x = x.clamp(*low, *high);
+        }
+    }
+}
+
+/// g·p + ½ p·M p
+fn value(g: [f64; 2], m: [f64; 3], p: [f64; 2]) -> f64 {
+    g[0] * p[0] + g[1] * p[1] + 0.5 * (m[0] * p[0] * p[0] + m[2] * p[1] * p[1]) + m[1] * p[0] * p[1]
+}
+
+/// The step p that minimises g·p + ½ p·M p with `at` + p within the bounds. M is positive semidefinite.
+fn step_within(g: [f64; 2], m: [f64; 3], at: [f64; 2], bounds: &[(f64, f64); 2]) -> [f64; 2] {
+    let room = |k: usize| (bounds[k].0 - at[k], bounds[k].1 - at[k]);
+    let inside = |p: [f64; 2]| (0..2).all(|k| p[k] >= room(k).0 && p[k] <= room(k).1);
+    let determinant = m[0] * m[2] - m[1] * m[1];
+    if determinant > 1e-12 * m[0] * m[2] {
+        let p = [
+            (m[1] * g[1] - m[2] * g[0]) / determinant,
+            (m[1] * g[0] - m[0] * g[1]) / determinant,
+        ];
+        if inside(p) {
+            return p;
+        }
+    }
+    // The minimum is on an edge: one of the two at a bound or, where M tells them not apart, where it is.
+    let mut best = [0.0; 2];
+    for fixed in 0..2 {
+        let other = 1 - fixed;
+        let (low, high) = room(fixed);
+        for shift in [low, 0.0, high] {
+            let mut p = [0.0; 2];
+            p[fixed] = shift;
+            let slope = g[other] + m[1] * shift;
+            let curvature = m[2 * other];
+            if curvature > 0.0 {
+                p[other] = (-slope / curvature).clamp(room(other).0, room(other).1);
+            }
+            if p[0].is_finite() && p[1].is_finite() && value(g, m, p) < value(g, m, best) {
+                best = p;
+            }
+        }
+    }
+    best
+}
