@@ -8,10 +8,12 @@
 //! Work is spread over the threads of the current rayon pool; results do not depend on their number.
 
 mod cells;
+mod concerns;
+mod contained;
 mod descent;
-#[cfg(test)]
-mod experiment;
+mod engine;
 mod lanes;
+mod objective;
 pub mod options;
 pub mod outcome;
 mod passes;
@@ -20,12 +22,14 @@ mod regression;
 mod shape;
 mod sites;
 pub mod start;
+mod starts;
 mod vertex;
 
 pub use options::{Options, Partial, STAGES, Stage, Variant, WEIGHTS, Weight};
 pub use outcome::{Concern, Ended, Errors, Outcome, Progress, StageReport};
 pub use problem::{Problem, ProblemError};
 
+use engine::Engine;
 use std::ops::ControlFlow;
 
 /// Called with the best so far, several times a second and at least once a stage; may stop the fit.
@@ -33,10 +37,10 @@ pub type Watch<'a> = &'a mut dyn FnMut(&Progress) -> ControlFlow<()>;
 
 /// Fits one variant.
 ///
-/// Stopped by `watch`, the outcome is the best so far.
+/// Stopped by `watch`, the outcome is the best so far. A variant that contains others (the combined model at α = 0
+/// and 1) is never worse than these, fitted likewise.
 pub fn fit(problem: &Problem, variant: Variant, options: &Options, watch: Watch) -> Outcome {
-    let _ = (problem, variant, options, watch);
-    todo!()
+    fit_knowing(problem, variant, options, &[], watch)
 }
 
 /// Fits several variants; what one finds helps those that contain it, so this is quicker than one by one.
@@ -49,11 +53,10 @@ pub fn fit_all(
     options: &Options,
     watch: &mut dyn FnMut(usize, &Progress) -> ControlFlow<()>,
 ) -> Vec<Outcome> {
-    let mut outcomes = Vec::new();
+    let mut outcomes: Vec<Outcome> = Vec::new();
     for (position, variant) in variants.iter().enumerate() {
-        let outcome = fit(problem, *variant, options, &mut |progress| {
-            watch(position, progress)
-        });
+        let mut watch = |progress: &Progress| watch(position, progress);
+        let outcome = fit_knowing(problem, *variant, options, &outcomes, &mut watch);
         let stopped = outcome.ended == Ended::Cancelled;
         outcomes.push(outcome);
         if stopped {
@@ -61,4 +64,34 @@ pub fn fit_all(
         }
     }
     outcomes
+}
+
+/// Fits a variant with what is known of others under the same options.
+fn fit_knowing(
+    problem: &Problem,
+    variant: Variant,
+    options: &Options,
+    known: &[Outcome],
+    watch: Watch,
+) -> Outcome {
+    let contained = contained::variants(variant, options);
+    Engine::new(problem, variant, options, watch).run(&mut |go_on| {
+        let mut found = Vec::new();
+        for (inner, inner_options) in &contained {
+            let same = |outcome: &&Outcome| Variant::from(&outcome.brdf) == *inner;
+            let brdf = match known.iter().find(same) {
+                Some(outcome) if inner_options == options => outcome.brdf,
+                _ => {
+                    Engine::new(problem, *inner, inner_options, &mut |_| go_on())
+                        .run(&mut |_| Vec::new())
+                        .brdf
+                }
+            };
+            found.push(brdf);
+            if go_on().is_break() {
+                break;
+            }
+        }
+        found
+    })
 }

@@ -1,15 +1,15 @@
 //! The data of a fit: a table, a weight and a grazing limit, arranged for passes.
 
 use super::lanes::LANES;
-use super::options::{GRAZING, Variant, Weight, default_bounds};
+use super::objective::Space;
+use super::options::{GRAZING, Options, Variant, Weight};
 use super::outcome::Errors;
 use super::passes::{self, Amplitudes};
-use super::regression::Limits;
 use super::shape::{Lobe, Shape, Threads};
-use super::sites::{Row, Sampling, Sites};
-use crate::brdf::{Brdf, ParamId};
+use super::sites::{Sampling, Sites};
+use super::{cells, engine};
+use crate::brdf::Brdf;
 use crate::measured::Table;
-use rayon::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A table, a weight and a grazing limit: what the error of a model is measured on.
@@ -24,7 +24,8 @@ pub struct Problem {
     pub(super) medium: Sites,
     /// About one in fifty.
     pub(super) coarse: Sites,
-    grazing: bool,
+    /// Whether the limit leaves grazing cells.
+    pub(super) grazing: bool,
 }
 
 /// Why there is nothing to fit.
@@ -72,6 +73,24 @@ impl Problem {
     pub fn error(&self, brdf: &Brdf) -> f64 {
         let (lobe, amplitudes) = self.parts(brdf);
         passes::error(&lobe, &self.all, &amplitudes, Threads::Many)
+    }
+
+    /// E of a model in total and in parts, with sums in f64.
+    pub fn errors(&self, brdf: &Brdf) -> Errors {
+        let (lobe, amplitudes) = self.parts(brdf);
+        let mut shapes = Vec::new();
+        lobe.fill(&self.all, &mut shapes, Threads::Many);
+        cells::errors(&self.all, &shapes, &amplitudes, self.grazing)
+    }
+
+    /// The model with the best ρ_d and k_s within their default bounds for its (s, α, η): stage 1.
+    pub fn with_best_amplitudes(&self, brdf: &Brdf) -> Brdf {
+        let space = Space::new(Variant::from(brdf), &Options::default(), self.all.scale);
+        let amplitudes = engine::best_amplitudes(self, brdf, &space.limits);
+        let mut params = brdf.params;
+        params.rho_d = amplitudes.diffuse.map(|a| a * PI * self.all.scale);
+        params.k_s = amplitudes.specular.map(|b| b * self.all.scale);
+        Brdf { params, ..*brdf }
     }
 
     /// Bytes of f_r that a pass over all cells reads.

@@ -18,6 +18,14 @@ pub struct Limits {
 }
 
 impl Limits {
+    /// No room at all.
+    pub fn holding(amplitudes: &Amplitudes) -> Self {
+        Self {
+            diffuse: amplitudes.diffuse.map(|a| (a, a)),
+            specular: amplitudes.specular.map(|b| (b, b)),
+        }
+    }
+
     /// The bounds of a and b of a channel.
     pub fn of(&self, channel: usize) -> [(f64, f64); 2] {
         [self.diffuse[channel], self.specular[channel]]

@@ -1,0 +1,188 @@
+//! What the fit costs, as ratios taken in one run: `cargo bench --bench fit [FILE]`.
+//!
+//! - an objective pass over all cells against a plain streaming sum over the same bytes: goal ≤ 2;
+//! - the same pass against a plain scalar loop in f64 with `powf` on one thread: goal ≥ 20 on two cores;
+//! - fits in units of objective passes: goal ≤ 500 for all six variants, joint.
+
+use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
+use grazing::fit::options::NO_LIMIT;
+use grazing::fit::{Options, Problem, Variant, Weight, fit, fit_all};
+use grazing::geom::Rgb;
+use grazing::measured::{Grid, SAMPLES, Table};
+use rayon::prelude::*;
+use std::f64::consts::PI;
+use std::hint::black_box;
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+const RUNS: usize = 41;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    // cargo passes --bench.
+    let named = std::env::args().skip(1).find(|arg| !arg.starts_with("--"));
+    let table = match named {
+        Some(path) => {
+            grazing::files::open_table(path.as_ref(), &mut |_| ControlFlow::Continue(()))?
+        }
+        None => SAMPLES[0].synthesize(),
+    };
+    let brdf = Brdf {
+        model: MODELS[2],
+        fresnel: Fresnel::Exact,
+        params: Params {
+            rho_d: [0.2; 3],
+            k_s: [10.0; 3],
+            s: 60.0,
+            alpha: 0.6,
+            eta: 1.5,
+        },
+    };
+    let started = Instant::now();
+    let problem = Problem::new(&table, Weight::Cosine, NO_LIMIT)?;
+    println!(
+        "arrange          {:8.2} ms",
+        1e3 * started.elapsed().as_secs_f64()
+    );
+    let bytes = vec![0.5_f32; problem.bytes() / size_of::<f32>()];
+    let plain = Plain::new(&table);
+    let (mut pass, mut stream, mut scalar) = (Vec::new(), Vec::new(), Vec::new());
+    for run in 0..RUNS {
+        pass.push(timed(|| problem.error(black_box(&brdf))));
+        stream.push(timed(|| streaming_sum(black_box(&bytes))));
+        if run % 8 == 0 {
+            scalar.push(timed(|| plain.error(black_box(&brdf))));
+        }
+    }
+    let (fast, slow) = (problem.error(&brdf), plain.error(&brdf));
+    assert!(
+        (fast / slow - 1.0).abs() < 1e-3,
+        "the two loops disagree: {fast} {slow}"
+    );
+    let [pass, stream, scalar] = [pass, stream, scalar].map(median);
+    let threads = rayon::current_num_threads();
+    println!(
+        "objective pass   {pass:8.2} ms  {threads} threads, {:.1} MB",
+        1e-6 * problem.bytes() as f64
+    );
+    println!(
+        "streaming sum    {stream:8.2} ms  ratio {:6.2}",
+        pass / stream
+    );
+    println!(
+        "scalar powf      {scalar:8.2} ms  ratio {:6.1}",
+        scalar / pass
+    );
+
+    let variant = Variant::from(&brdf);
+    let all = Variant::all(Fresnel::Exact);
+    let staged = Options {
+        stages: [true, true, true, false],
+        ..Options::default()
+    };
+    let joint = Options {
+        stages: [false, false, false, true],
+        ..Options::default()
+    };
+    let every = Options::default();
+    for (name, options) in [
+        ("stages 1-3", staged),
+        ("stage 4", joint),
+        ("stages 1-4", every),
+    ] {
+        let one = best(3, || {
+            fit(&problem, variant, &options, &mut |_| {
+                ControlFlow::Continue(())
+            })
+        });
+        let six = best(3, || {
+            fit_all(&problem, &all, &options, &mut |_, _| {
+                ControlFlow::Continue(())
+            })
+        });
+        println!(
+            "{name}: combined {one:8.1} ms, {:5.0} passes; all six {six:8.1} ms, {:5.0} passes",
+            one / pass,
+            six / pass
+        );
+    }
+    Ok(())
+}
+
+/// Σ |m − c| over all bytes, on all threads.
+fn streaming_sum(values: &[f32]) -> f64 {
+    let chunks = values.par_chunks(1 << 16).map(|chunk| {
+        let mut sums = [0.0_f32; 32];
+        for block in chunk.chunks_exact(32) {
+            for (sum, m) in sums.iter_mut().zip(block) {
+                *sum += (m - 0.3).abs();
+            }
+        }
+        sums.iter().map(|x| f64::from(*x)).sum::<f64>()
+    });
+    chunks.sum()
+}
+
+/// The loop that one would write first: cosines, weights and Fresnel factors at hand, a `powf` per cell.
+struct Plain {
+    cells: Vec<(f64, f64, f64, f64, Rgb)>,
+    energy: f64,
+}
+
+impl Plain {
+    fn new(table: &Table) -> Self {
+        let grid: Grid = table.grid();
+        let mut cells = Vec::new();
+        let mut energy = 0.0;
+        for index in 0..grid.len() {
+            let (h, d, phi) = grid.bins(index);
+            let center = grid.center(h, d, phi);
+            let c = center.cosines();
+            let Some(f_r) = table.cell(index) else {
+                continue;
+            };
+            if c.cos_theta_i <= 0.0 || c.cos_theta_o <= 0.0 {
+                continue;
+            }
+            let edge = |i: usize| (i as f64 / 90.0).powi(2) * 0.5 * PI;
+            let weight = (edge(h).cos() - edge(h + 1).cos())
+                * center.theta_d.sin()
+                * center.theta_d.cos()
+                * c.cos_theta_i
+                * c.cos_theta_o;
+            energy += weight * f_r.iter().sum::<f64>();
+            cells.push((c.wr_wo.cos, c.wh_n.cos.powi(4), c.wi_dot_wh, weight, f_r));
+        }
+        Self { cells, energy }
+    }
+
+    fn error(&self, brdf: &Brdf) -> f64 {
+        let p = &brdf.params;
+        let mut sum = 0.0;
+        for (wr_wo, wh_n_4, wi_dot_wh, weight, f_r) in &self.cells {
+            let base: f64 = (1.0 - p.alpha) * wr_wo + p.alpha * wh_n_4;
+            let shape = brdf.fresnel.reflectance(*wi_dot_wh, p.eta) * base.powf(p.s);
+            for k in 0..3 {
+                sum += weight * (p.rho_d[k] / PI + p.k_s[k] * shape - f_r[k]).abs();
+            }
+        }
+        sum / self.energy
+    }
+}
+
+/// Milliseconds that it takes.
+fn timed<T>(work: impl FnOnce() -> T) -> f64 {
+    let started = Instant::now();
+    black_box(work());
+    1e3 * started.elapsed().as_secs_f64()
+}
+
+fn best<T>(runs: usize, mut work: impl FnMut() -> T) -> f64 {
+    (0..runs)
+        .map(|_| timed(&mut work))
+        .fold(f64::INFINITY, f64::min)
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}

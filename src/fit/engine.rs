@@ -1,0 +1,485 @@
+//! The stages, one after the other.
+
+use super::cells;
+use super::descent::{self, Rules};
+use super::objective::{Candidate, Follow, Objective, Space};
+use super::options::{Options, STAGES, Stage, Variant};
+use super::outcome::{ALBEDO_ANGLES, Ended, Errors, Outcome, Progress, StageReport};
+use super::passes::Amplitudes;
+use super::regression::{self, Effort, Limits};
+use super::shape::{Lobe, Point, Shape, Threads};
+use super::sites::Sites;
+use super::{Problem, Watch, concerns, starts};
+use crate::brdf::{Brdf, albedo};
+use glam::{DMat3, DVec3};
+use rayon::prelude::*;
+use std::ops::ControlFlow;
+
+/// A candidate's E over all cells, with the solution made exact.
+#[derive(Clone, Copy, Debug)]
+struct Best {
+    candidate: Candidate,
+    errors: Errors,
+}
+
+/// A fit under way.
+pub(super) struct Engine<'a, 'w> {
+    problem: &'a Problem,
+    options: &'a Options,
+    space: Space,
+    watch: Watch<'w>,
+    cancelled: bool,
+    exhausted: bool,
+    /// The starts that the data suggest, once they are asked for.
+    starts: Option<Vec<Candidate>>,
+    best: Option<Best>,
+    stages: Vec<StageReport>,
+    stage: Stage,
+    evaluations: usize,
+}
+
+/// How far a descent goes on some of the cells.
+struct Level<'a> {
+    sites: &'a Sites,
+    threads: Threads,
+    tolerance: f64,
+    evaluations: usize,
+}
+
+impl<'a, 'w> Engine<'a, 'w> {
+    pub fn new(
+        problem: &'a Problem,
+        variant: Variant,
+        options: &'a Options,
+        watch: Watch<'w>,
+    ) -> Self {
+        Self {
+            problem,
+            options,
+            space: Space::new(variant, options, problem.all.scale),
+            watch,
+            cancelled: false,
+            exhausted: false,
+            starts: None,
+            best: None,
+            stages: Vec::new(),
+            stage: Stage::Amplitudes,
+            evaluations: 0,
+        }
+    }
+
+    /// Runs the stages. `contained` are fits of variants that this one contains, as points of its own space.
+    pub fn run(
+        mut self,
+        contained: &mut dyn FnMut(&mut dyn FnMut() -> ControlFlow<()>) -> Vec<Brdf>,
+    ) -> Outcome {
+        let start = self.start();
+        let mut best = self.measure(start);
+        self.best = Some(best);
+        for stage in STAGES.into_iter().filter(|stage| self.options.runs(*stage)) {
+            if self.cancelled {
+                break;
+            }
+            self.stage = stage;
+            self.evaluations = 0;
+            let before = best;
+            let _ = self.report_progress(&before.candidate, before.errors.total, true);
+            let found = match stage {
+                Stage::Amplitudes => self.amplitudes(&before),
+                Stage::Shape => self.shape(&before),
+                Stage::ShapeAndSpecular => self.shape_and_specular(&before),
+                Stage::Joint => self.joint(&before, contained),
+            };
+            for found in found {
+                if found.errors.total < best.errors.total {
+                    best = found;
+                }
+            }
+            self.best = Some(best);
+            self.stages.push(StageReport {
+                stage,
+                start: self.brdf(&before.candidate),
+                start_error: before.errors.total,
+                end: self.brdf(&best.candidate),
+                error: best.errors.total,
+                evaluations: self.evaluations,
+            });
+            let _ = self.report_progress(&best.candidate, best.errors.total, true);
+        }
+        self.outcome(best)
+    }
+
+    fn outcome(self, best: Best) -> Outcome {
+        let brdf = self.brdf(&best.candidate);
+        let albedo = ALBEDO_ANGLES.map(|degrees| albedo::albedo(&brdf, degrees.to_radians()));
+        Outcome {
+            brdf,
+            errors: best.errors,
+            evaluations: self.stages.iter().map(|stage| stage.evaluations).sum(),
+            stages: self.stages,
+            ended: match (self.cancelled, self.exhausted) {
+                (true, _) => Ended::Cancelled,
+                (_, true) => Ended::Limit,
+                _ => Ended::Converged,
+            },
+            concerns: concerns::of(&brdf, &self.space, self.options, &albedo),
+            albedo,
+        }
+    }
+
+    /// Where stage 1 begins: at the user's start where there is one, at the data's best start otherwise.
+    fn start(&mut self) -> Candidate {
+        let given = self.options.start;
+        let variant = self.space.variant;
+        let complete = variant.model.params.iter().all(|row| {
+            let brdf = variant.with(crate::brdf::Params::default());
+            row.id.is_color()
+                || !brdf.uses(row.id)
+                || given.has(row.id)
+                || self.options.held.has(row.id)
+        });
+        let from_data = if complete {
+            None
+        } else {
+            self.starts().first().copied()
+        };
+        let mut params = match from_data {
+            Some(start) => self.space.params(&start, self.options),
+            None => crate::brdf::Params::default(),
+        };
+        params = self.options.held.over(given.over(params));
+        let point = self.space.clamp(Shape::of(variant, &params).point());
+        let mut objective = self.objective(
+            &self.problem.coarse,
+            Follow::Solved(self.space.limits),
+            None,
+        );
+        let mut start = objective.error(point);
+        // Amplitudes that are given are where the stages begin, unless the first of them solves for its own.
+        if let Some(rho_d) = given.rho_d {
+            start.amplitudes.diffuse = rho_d.map(|x| x / std::f64::consts::PI / self.space.scale);
+        }
+        if let Some(k_s) = given.k_s {
+            start.amplitudes.specular = k_s.map(|x| x / self.space.scale);
+        }
+        start.amplitudes = self.space.limits.clamp(start.amplitudes);
+        start
+    }
+
+    fn starts(&mut self) -> &[Candidate] {
+        let (coarse, space) = (&self.problem.coarse, &self.space);
+        self.starts
+            .get_or_insert_with(|| starts::from_data(coarse, space))
+    }
+
+    /// Stage 1.
+    fn amplitudes(&mut self, before: &Best) -> Vec<Best> {
+        self.evaluations += 1;
+        vec![self.solve_exactly(&before.candidate, &self.space.limits, Effort::COLD)]
+    }
+
+    /// Stage 2.
+    fn shape(&mut self, before: &Best) -> Vec<Best> {
+        let follow = Follow::Held(before.candidate.amplitudes);
+        let found = self.descend_levels(&before.candidate, follow);
+        vec![self.measure(found)]
+    }
+
+    /// Stage 3.
+    fn shape_and_specular(&mut self, before: &Best) -> Vec<Best> {
+        let mut limits = self.space.limits;
+        limits.diffuse = before.candidate.amplitudes.diffuse.map(|a| (a, a));
+        let found = self.descend_levels(&before.candidate, Follow::Solved(limits));
+        vec![self.solve_exactly(&found, &limits, Effort::WARM)]
+    }
+
+    /// Stage 4: from the data's starts on the small sample, from the best of these, from the end of the stages
+    /// before and from what is contained on the larger one, and from the best of all on all cells.
+    fn joint(
+        &mut self,
+        before: &Best,
+        contained: &mut dyn FnMut(&mut dyn FnMut() -> ControlFlow<()>) -> Vec<Brdf>,
+    ) -> Vec<Best> {
+        let follow = Follow::Solved(self.space.limits);
+        let mut found = Vec::new();
+        let mut near: Vec<Candidate> = vec![before.candidate];
+        let contained = {
+            let shown = before.candidate;
+            let error = before.errors.total;
+            contained(&mut || self.report_progress(&shown, error, true))
+        };
+        for brdf in contained {
+            let point = Shape::of(Variant::from(&brdf), &brdf.params).point();
+            let (_, amplitudes) = self.problem.parts(&brdf);
+            let candidate = Candidate {
+                point,
+                amplitudes,
+                error: f64::INFINITY,
+            };
+            near.push(candidate);
+            found.push(self.measure(candidate));
+        }
+        if self.cancelled {
+            return found;
+        }
+        let starts = self.starts().to_vec();
+        let coarse = Level {
+            sites: &self.problem.coarse,
+            threads: Threads::One,
+            tolerance: 1e-4,
+            evaluations: 60,
+        };
+        let mut ends = self.descend_side_by_side(
+            starts.into_iter().map(|start| (start, None)),
+            &coarse,
+            follow,
+        );
+        self.show_best(&ends);
+        if self.cancelled {
+            return found;
+        }
+        ends.sort_by(|a, b| a.0.error.total_cmp(&b.0.error));
+        let limit = ends
+            .first()
+            .map_or(f64::INFINITY, |best| 1.03 * best.0.error);
+        ends.retain(|end| end.0.error <= limit);
+        ends.dedup_by(|a, b| starts::same(a.0.point, b.0.point));
+        ends.truncate(2);
+        ends.extend(near.into_iter().map(|candidate| (candidate, None)));
+        let medium = Level {
+            sites: &self.problem.medium,
+            threads: Threads::One,
+            tolerance: 1e-5,
+            evaluations: 60,
+        };
+        let mut ends = self.descend_side_by_side(ends.into_iter(), &medium, follow);
+        self.show_best(&ends);
+        if self.cancelled {
+            return found;
+        }
+        ends.sort_by(|a, b| a.0.error.total_cmp(&b.0.error));
+        if let Some((start, curvature)) = ends.first() {
+            let end = self.descend_all(start, *curvature, follow);
+            let limits = self.space.limits;
+            found.push(self.solve_exactly(&end, &limits, Effort::WARM));
+        }
+        found
+    }
+
+    /// Descents on a sample from several points, each on a thread of its own.
+    fn descend_side_by_side(
+        &mut self,
+        starts: impl Iterator<Item = (Candidate, Option<DMat3>)>,
+        level: &Level,
+        follow: Follow,
+    ) -> Vec<(Candidate, Option<DMat3>)> {
+        let starts: Vec<_> = starts.collect();
+        let fresnel = self.space.variant.fresnel;
+        let rules = self.rules(level);
+        let ends: Vec<_> = starts
+            .par_iter()
+            .map(|(start, curvature)| {
+                let mut objective =
+                    Objective::new(level.sites, fresnel, follow, Some(start), level.threads);
+                let mut evaluate = |p: DVec3| Some(objective.value(p.to_array()));
+                let end = descent::descend(
+                    DVec3::from_array(start.point),
+                    *curvature,
+                    &rules,
+                    &mut evaluate,
+                );
+                let curvature = end.and_then(|end| end.curvature);
+                (
+                    objective.best.unwrap_or(*start),
+                    curvature,
+                    objective.evaluations,
+                )
+            })
+            .collect();
+        self.evaluations += ends.iter().map(|end| end.2).sum::<usize>();
+        ends.into_iter()
+            .map(|(end, curvature, _)| (end, curvature))
+            .collect()
+    }
+
+    /// A descent on the larger sample and then on all cells.
+    fn descend_levels(&mut self, start: &Candidate, follow: Follow) -> Candidate {
+        let medium = Level {
+            sites: &self.problem.medium,
+            threads: Threads::One,
+            tolerance: 1e-5,
+            evaluations: 60,
+        };
+        let near = std::iter::once((*start, None));
+        let ends = self.descend_side_by_side(near, &medium, follow);
+        self.show_best(&ends);
+        match ends.first() {
+            Some((end, curvature)) if !self.cancelled => self.descend_all(end, *curvature, follow),
+            _ => *start,
+        }
+    }
+
+    /// A descent on all cells, watched at every step.
+    fn descend_all(
+        &mut self,
+        start: &Candidate,
+        curvature: Option<DMat3>,
+        follow: Follow,
+    ) -> Candidate {
+        let level = Level {
+            sites: &self.problem.all,
+            threads: Threads::Many,
+            tolerance: 2e-6,
+            evaluations: 60,
+        };
+        let rules = self.rules(&level);
+        let mut objective = self.objective(level.sites, follow, Some(start));
+        let mut evaluate = |p: DVec3| {
+            let value = objective.value(p.to_array());
+            self.evaluations += 1;
+            let best = objective.best?;
+            self.report_progress(&best, best.error, true)
+                .is_continue()
+                .then_some(value)
+        };
+        let end = descent::descend(
+            DVec3::from_array(start.point),
+            curvature,
+            &rules,
+            &mut evaluate,
+        );
+        if end.is_some_and(|end| !end.converged) {
+            self.exhausted = true;
+        }
+        objective.best.unwrap_or(*start)
+    }
+
+    fn rules(&self, level: &Level) -> Rules {
+        Rules {
+            bounds: self.space.bounds,
+            tolerance: level.tolerance,
+            evaluations: level.evaluations,
+            first_step: 0.15,
+        }
+    }
+
+    fn objective(
+        &self,
+        sites: &'a Sites,
+        follow: Follow,
+        near: Option<&Candidate>,
+    ) -> Objective<'a> {
+        Objective::new(
+            sites,
+            self.space.variant.fresnel,
+            follow,
+            near,
+            Threads::Many,
+        )
+    }
+
+    /// E over all cells as it is reported.
+    fn measure(&self, candidate: Candidate) -> Best {
+        let shapes = self.shapes(candidate.point);
+        self.best_of(candidate, &shapes)
+    }
+
+    /// The same after solving for the amplitudes, exactly.
+    fn solve_exactly(&self, near: &Candidate, limits: &Limits, effort: Effort) -> Best {
+        let all = &self.problem.all;
+        let shapes = self.shapes(near.point);
+        let (amplitudes, _) = regression::solve(
+            all,
+            &shapes,
+            &near.amplitudes,
+            limits,
+            effort,
+            Threads::Many,
+        );
+        let amplitudes = cells::exact(all, &shapes, &amplitudes, limits);
+        self.best_of(
+            Candidate {
+                amplitudes,
+                ..*near
+            },
+            &shapes,
+        )
+    }
+
+    fn shapes(&self, point: Point) -> Vec<f32> {
+        let mut shapes = Vec::new();
+        let lobe = Lobe::new(Shape::at(point), self.space.variant.fresnel);
+        lobe.fill(&self.problem.all, &mut shapes, Threads::Many);
+        shapes
+    }
+
+    fn best_of(&self, mut candidate: Candidate, shapes: &[f32]) -> Best {
+        let problem = self.problem;
+        let errors = cells::errors(&problem.all, shapes, &candidate.amplitudes, problem.grazing);
+        candidate.error = errors.total;
+        Best { candidate, errors }
+    }
+
+    fn brdf(&self, candidate: &Candidate) -> Brdf {
+        self.space
+            .variant
+            .with(self.space.params(candidate, self.options))
+    }
+
+    fn show_best(&mut self, ends: &[(Candidate, Option<DMat3>)]) {
+        let best = ends.iter().min_by(|a, b| a.0.error.total_cmp(&b.0.error));
+        if let Some((candidate, _)) = best {
+            let _ = self.report_progress(&candidate.clone(), candidate.error, false);
+        }
+    }
+
+    fn report_progress(
+        &mut self,
+        candidate: &Candidate,
+        error: f64,
+        all_cells: bool,
+    ) -> ControlFlow<()> {
+        let progress = Progress {
+            stage: self.stage,
+            brdf: self.brdf(candidate),
+            error,
+            all_cells,
+            evaluations: self.evaluations,
+            share: self.share(),
+        };
+        let flow = (self.watch)(&progress);
+        self.cancelled |= flow.is_break();
+        flow
+    }
+
+    /// How far the fit is: stages count by what they cost.
+    fn share(&self) -> f32 {
+        let cost = |stage: Stage| match stage {
+            Stage::Amplitudes => 1.0,
+            Stage::Shape => 2.0,
+            Stage::ShapeAndSpecular => 4.0,
+            Stage::Joint => 6.0,
+        };
+        let all = || STAGES.into_iter().filter(|stage| self.options.runs(*stage));
+        let total: f32 = all().map(cost).sum();
+        let done: f32 = all().filter(|stage| *stage < self.stage).map(cost).sum();
+        let within = 1.0 - (-0.05 * self.evaluations as f32).exp();
+        (done + cost(self.stage) * within) / total.max(1.0)
+    }
+}
+
+/// The best amplitudes within limits for a shape, and E: stage 1 alone.
+pub(super) fn best_amplitudes(problem: &Problem, brdf: &Brdf, limits: &Limits) -> Amplitudes {
+    let (lobe, near) = problem.parts(brdf);
+    let mut shapes = Vec::new();
+    lobe.fill(&problem.all, &mut shapes, Threads::Many);
+    let (near, _) = regression::solve(
+        &problem.all,
+        &shapes,
+        &near,
+        limits,
+        Effort::COLD,
+        Threads::Many,
+    );
+    cells::exact(&problem.all, &shapes, &near, limits)
+}

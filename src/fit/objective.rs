@@ -1,0 +1,241 @@
+//! E as a function of the shape alone: what the descents and the grid of starts evaluate.
+
+use super::descent::Value;
+use super::options::{Options, SMALLEST_ETA, Variant};
+use super::passes::{self, Amplitudes};
+use super::regression::{self, Effort, Limits};
+use super::shape::{Lobe, Point, Shape, Threads};
+use super::sites::Sites;
+use crate::brdf::{Fresnel, ParamId, Params, params};
+use glam::DVec3;
+use std::f64::consts::PI;
+
+/// Half width of the band in which the sign of a residual is softened for slopes, relative to the model.
+const SOFT_BAND: f64 = 0.02;
+
+/// A shape with its amplitudes and the E that they give on some sites.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Candidate {
+    /// (ln s, α, ln(η − 1)).
+    pub point: Point,
+    /// ρ_d/π and k_s.
+    pub amplitudes: Amplitudes,
+    /// E.
+    pub error: f64,
+}
+
+/// What a fit may move, and how far, in the variables of the search.
+#[derive(Clone, Copy, Debug)]
+pub struct Space {
+    /// What is fitted.
+    pub variant: Variant,
+    /// Bounds of (ln s, α, ln(η − 1)); both alike where held.
+    pub bounds: [(f64, f64); 3],
+    /// Bounds of the amplitudes, likewise.
+    pub limits: Limits,
+    /// The unit of the amplitudes.
+    pub scale: f64,
+}
+
+impl Space {
+    /// The space of a variant; `scale` is the unit of the sites.
+    pub fn new(variant: Variant, options: &Options, scale: f64) -> Self {
+        let row = |id| variant.model.param(id);
+        let bounds = |id: ParamId, held: Option<f64>, missing: f64| match (held, row(id)) {
+            (Some(value), Some(_)) => (value, value),
+            (None, Some(row)) => options.bounds_of(row),
+            (_, None) => (missing, missing),
+        };
+        let ratio = variant.model.exponent_ratio;
+        let s = bounds(ParamId::S, options.held.s, params::S.default);
+        let alpha = variant.model.alpha.unwrap_or(params::ALPHA.default);
+        let alpha = bounds(ParamId::Alpha, options.held.alpha, alpha);
+        let eta = match variant.fresnel {
+            Fresnel::None => (params::ETA.default, params::ETA.default),
+            _ => bounds(ParamId::Eta, options.held.eta, params::ETA.default),
+        };
+        let ln_eta = |eta: f64| (eta.max(SMALLEST_ETA) - 1.0).ln();
+        let amplitude = |id: ParamId, held: Option<[f64; 3]>, unit: f64| {
+            let (low, high) = bounds(id, None, 0.0);
+            std::array::from_fn(|k| match held {
+                Some(held) => (held[k] / unit, held[k] / unit),
+                None => (low / unit, high / unit),
+            })
+        };
+        Self {
+            variant,
+            bounds: [
+                ((s.0 / ratio).ln(), (s.1 / ratio).ln()),
+                alpha,
+                (ln_eta(eta.0), ln_eta(eta.1)),
+            ],
+            limits: Limits {
+                diffuse: amplitude(ParamId::RhoD, options.held.rho_d, PI * scale),
+                specular: amplitude(ParamId::KS, options.held.k_s, scale),
+            },
+            scale,
+        }
+    }
+
+    /// The nearest point within the bounds.
+    pub fn clamp(&self, point: Point) -> Point {
+        std::array::from_fn(|k| point[k].clamp(self.bounds[k].0, self.bounds[k].1))
+    }
+
+    /// The parameters of a candidate. Values that are held come out as they went in.
+    pub fn params(&self, candidate: &Candidate, options: &Options) -> Params {
+        let mut params = Params {
+            rho_d: candidate.amplitudes.diffuse.map(|a| a * PI * self.scale),
+            k_s: candidate.amplitudes.specular.map(|b| b * self.scale),
+            ..Params::default()
+        };
+        let Shape { s, alpha, eta } = Shape::at(candidate.point);
+        params.s = s * self.variant.model.exponent_ratio;
+        params.alpha = alpha;
+        params.eta = eta;
+        // Rounding of logarithms must not step over a bound or off a held value.
+        for row in self
+            .variant
+            .model
+            .params
+            .iter()
+            .filter(|row| !row.id.is_color())
+        {
+            let (low, high) = options.bounds_of(row);
+            let value = &mut params.get_mut(row.id)[0];
+            *value = value.clamp(low, high);
+        }
+        let held = options.held.over(params);
+        for row in self.variant.model.params {
+            params.get_mut(row.id).copy_from_slice(held.get(row.id));
+        }
+        let unused = |id| self.variant.model.param(id).is_none();
+        if unused(ParamId::Alpha) {
+            params.alpha = params::ALPHA.default;
+        }
+        if self.variant.fresnel == Fresnel::None {
+            params.eta = params::ETA.default;
+        }
+        params
+    }
+}
+
+/// How the amplitudes follow the shape.
+#[derive(Clone, Copy, Debug)]
+pub enum Follow {
+    /// They stay.
+    Held(Amplitudes),
+    /// They are solved for within limits.
+    Solved(Limits),
+}
+
+/// Evaluates E at points, keeping what helps the next evaluation.
+pub struct Objective<'a> {
+    sites: &'a Sites,
+    fresnel: Fresnel,
+    follow: Follow,
+    threads: Threads,
+    shapes: Vec<f32>,
+    /// The last solution, with R_F(0) there: when η moves, k_s·R_F(0) is what stays.
+    warm: Option<(Amplitudes, f64)>,
+    /// The best so far.
+    pub best: Option<Candidate>,
+    /// How many points were evaluated.
+    pub evaluations: usize,
+}
+
+impl<'a> Objective<'a> {
+    /// On some sites, from amplitudes that may be near.
+    pub fn new(
+        sites: &'a Sites,
+        fresnel: Fresnel,
+        follow: Follow,
+        near: Option<&Candidate>,
+        threads: Threads,
+    ) -> Self {
+        let warm = near.map(|near| (near.amplitudes, normal_reflectance(fresnel, near.point)));
+        Self {
+            sites,
+            fresnel,
+            follow,
+            threads,
+            shapes: Vec::new(),
+            warm,
+            best: None,
+            evaluations: 0,
+        }
+    }
+
+    /// E and its slopes.
+    pub fn value(&mut self, point: Point) -> Value {
+        let lobe = Lobe::new(Shape::at(point), self.fresnel);
+        let amplitudes = self.amplitudes(&lobe, point);
+        let slopes = passes::slopes(&lobe, self.sites, &amplitudes, SOFT_BAND, self.threads);
+        self.take(Candidate {
+            point,
+            amplitudes,
+            error: slopes.error,
+        });
+        Value {
+            error: slopes.error,
+            gradient: DVec3::from_array(slopes.gradient),
+        }
+    }
+
+    /// E alone, for solved amplitudes.
+    pub fn error(&mut self, point: Point) -> Candidate {
+        let lobe = Lobe::new(Shape::at(point), self.fresnel);
+        let (amplitudes, errors) = self.solve(&lobe, point);
+        let candidate = Candidate {
+            point,
+            amplitudes,
+            error: errors.iter().sum(),
+        };
+        self.take(candidate);
+        candidate
+    }
+
+    fn amplitudes(&mut self, lobe: &Lobe, point: Point) -> Amplitudes {
+        match self.follow {
+            Follow::Held(amplitudes) => amplitudes,
+            Follow::Solved(_) => self.solve(lobe, point).0,
+        }
+    }
+
+    fn solve(&mut self, lobe: &Lobe, point: Point) -> (Amplitudes, [f64; 3]) {
+        let limits = match self.follow {
+            Follow::Held(held) => Limits::holding(&held),
+            Follow::Solved(limits) => limits,
+        };
+        lobe.fill(self.sites, &mut self.shapes, self.threads);
+        let r0 = normal_reflectance(self.fresnel, point);
+        let (start, effort) = match self.warm {
+            Some((mut warm, before)) => {
+                warm.specular = warm.specular.map(|b| b * before / r0);
+                (warm, Effort::WARM)
+            }
+            None => (regression::cold(self.sites, &limits), Effort::COLD),
+        };
+        let solution = regression::solve(
+            self.sites,
+            &self.shapes,
+            &start,
+            &limits,
+            effort,
+            self.threads,
+        );
+        self.warm = Some((solution.0, r0));
+        solution
+    }
+
+    fn take(&mut self, candidate: Candidate) {
+        self.evaluations += 1;
+        if self.best.is_none_or(|best| candidate.error < best.error) {
+            self.best = Some(candidate);
+        }
+    }
+}
+
+fn normal_reflectance(fresnel: Fresnel, point: Point) -> f64 {
+    fresnel.reflectance(1.0, Shape::at(point).eta)
+}

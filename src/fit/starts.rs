@@ -1,0 +1,91 @@
+//! Where a fit may begin: the best points of a grid over (s, α, η), on the small sample.
+
+use super::objective::{Candidate, Follow, Objective, Space};
+use super::shape::{Point, Threads};
+use super::sites::Sites;
+use rayon::prelude::*;
+
+/// Grid points per decade of s.
+const PER_DECADE: f64 = 2.5;
+const ALPHAS: [f64; 3] = [0.0, 0.5, 1.0];
+/// η − 1: a steep rise towards grazing, glass, hardly any rise.
+const ETAS_LESS_1: [f64; 3] = [0.12, 0.5, 3.0];
+/// How many starts are followed.
+const STARTS: usize = 4;
+
+/// The most promising points, the best first: local minima of the grid.
+pub fn from_data(coarse: &Sites, space: &Space) -> Vec<Candidate> {
+    let exponents = even(space.bounds[0]);
+    let alphas = choices(space.bounds[1], &ALPHAS);
+    let etas = choices(space.bounds[2], &ETAS_LESS_1.map(f64::ln));
+    let chains: Vec<(f64, f64)> = etas
+        .iter()
+        .flat_map(|eta| alphas.iter().map(|alpha| (*alpha, *eta)))
+        .collect();
+    let grid: Vec<Vec<Candidate>> = chains
+        .par_iter()
+        .map(|(alpha, eta)| {
+            let follow = Follow::Solved(space.limits);
+            let fresnel = space.variant.fresnel;
+            let mut objective = Objective::new(coarse, fresnel, follow, None, Threads::One);
+            let along = exponents.iter().map(|ln_s| [*ln_s, *alpha, *eta]);
+            along.map(|point| objective.error(point)).collect()
+        })
+        .collect();
+    best_minima(&grid)
+}
+
+/// ln s, evenly; the value alone where it is held.
+fn even((low, high): (f64, f64)) -> Vec<f64> {
+    let steps = ((high - low) / std::f64::consts::LN_10 * PER_DECADE)
+        .ceil()
+        .max(0.0);
+    let at = |k: usize| low + (high - low) * k as f64 / steps.max(1.0);
+    (0..=steps as usize).map(at).collect()
+}
+
+/// The choices within the bounds, or the middle where there is none.
+fn choices((low, high): (f64, f64), all: &[f64]) -> Vec<f64> {
+    let within: Vec<f64> = all
+        .iter()
+        .copied()
+        .filter(|x| (low..=high).contains(x))
+        .collect();
+    if within.is_empty() || low == high {
+        vec![0.5 * (low + high)]
+    } else {
+        within
+    }
+}
+
+/// Of every chain over s the minima; of all these the best that are not near one another.
+fn best_minima(grid: &[Vec<Candidate>]) -> Vec<Candidate> {
+    let mut minima: Vec<Candidate> = Vec::new();
+    for chain in grid {
+        for (k, candidate) in chain.iter().enumerate() {
+            let lower = |other: Option<&Candidate>| {
+                other.is_none_or(|other| candidate.error <= other.error)
+            };
+            if lower(k.checked_sub(1).map(|k| &chain[k])) && lower(chain.get(k + 1)) {
+                minima.push(*candidate);
+            }
+        }
+    }
+    minima.sort_by(|a, b| a.error.total_cmp(&b.error));
+    let mut starts: Vec<Candidate> = Vec::new();
+    for candidate in minima {
+        let near = |other: &Candidate| {
+            (candidate.point[0] - other.point[0]).abs() < 1.2
+                && (candidate.point[1] - other.point[1]).abs() < 0.6
+        };
+        if starts.len() < STARTS && !starts.iter().any(near) {
+            starts.push(candidate);
+        }
+    }
+    starts
+}
+
+/// Whether two points are the same for all that a fit can tell.
+pub fn same(a: Point, b: Point) -> bool {
+    (a[0] - b[0]).abs() < 0.02 && (a[1] - b[1]).abs() < 0.005 && (a[2] - b[2]).abs() < 0.02
+}
