@@ -81,38 +81,44 @@ pub fn errors(
 }
 
 /// Half width of the band of cells that the exact solution looks at, relative to the model, to begin with.
-const BAND: f64 = 3e-4;
+const BAND: f64 = 2e-4;
 /// Rounds at most; the band grows fourfold with each.
-const ROUNDS: usize = 6;
+const ROUNDS: usize = 5;
 /// With more cells than this in the band the model meets the data nearly exactly, and nothing is left to gain.
-const MOST_CELLS: usize = 300_000;
+const MOST_CELLS: usize = 100_000;
 
 /// The exact minimum of stage 1 from amplitudes that are near.
 ///
 /// Cells far from the model keep the sign of their residual and enter as two slopes; only those within a narrow band
-/// are looked at one by one [Portnoy97]. The result holds if it is so near that none of the others changes its sign;
-/// else the band is laid anew, and wider.
+/// are looked at one by one [Portnoy97]. Amplitudes move no further than the others keep their signs. A minimum
+/// short of that is the minimum of all, by convexity; else the band is laid anew from there, and wider.
 pub fn exact(sites: &Sites, shapes: &[f32], near: &Amplitudes, limits: &Limits) -> Amplitudes {
     let mut at = limits.clamp(*near);
     let mut band = BAND;
+    let mut done = [false; 3];
     for _ in 0..ROUNDS {
-        let sums = gather(sites, shapes, &at, limits, band);
-        if sums.iter().any(|sum| sum.cells.len() > MOST_CELLS) {
-            break;
-        }
-        let found: Vec<[f64; 2]> = (0..3)
+        let sums = gather(sites, shapes, &at, limits, band, done);
+        let moves: Vec<([f64; 2], bool)> = (0..3)
             .into_par_iter()
-            .map(|k| sums[k].minimise([at.diffuse[k], at.specular[k]]))
+            .map(|k| {
+                let from = [at.diffuse[k], at.specular[k]];
+                if done[k] || sums[k].cells.len() > MOST_CELLS {
+                    return (from, true);
+                }
+                let to = sums[k].minimise(from);
+                let inside = |i: usize| {
+                    let [low, high] = [sums[k].bounds[i].0, sums[k].bounds[i].1];
+                    let limit = limits.of(k)[i];
+                    (to[i] > low || low == limit.0) && (to[i] < high || high == limit.1)
+                };
+                (to, inside(0) && inside(1))
+            })
             .collect();
-        let mut holds = true;
-        for k in 0..3 {
-            let [a, b] = found[k];
-            holds &= (a - at.diffuse[k]).abs() <= band * (at.diffuse[k] + floor(sites, k));
-            holds &= (b - at.specular[k]).abs() <= band * at.specular[k];
-            at.diffuse[k] = a;
-            at.specular[k] = b;
+        for (k, (to, finished)) in moves.into_iter().enumerate() {
+            (at.diffuse[k], at.specular[k]) = (to[0], to[1]);
+            done[k] = finished;
         }
-        if holds {
+        if done == [true; 3] {
             break;
         }
         band *= 4.0;
@@ -125,16 +131,38 @@ fn floor(sites: &Sites, channel: usize) -> f64 {
     1e-3 * sites.shares[channel]
 }
 
-/// The sum of each channel: cells within the band, and the slopes of the rest.
-fn gather(sites: &Sites, shapes: &[f32], at: &Amplitudes, limits: &Limits, band: f64) -> [Sum; 3] {
+/// The sum of each channel: cells within the band, the slopes of the rest, and how far these hold.
+fn gather(
+    sites: &Sites,
+    shapes: &[f32],
+    at: &Amplitudes,
+    limits: &Limits,
+    band: f64,
+    done: [bool; 3],
+) -> [Sum; 3] {
+    let floor: [f64; 3] = std::array::from_fn(|channel| floor(sites, channel));
+    // So that |Δa + Δb·x| ≤ band · (a + b·x + 2 floor), for x is in [0, 1].
+    let reach = |channel: usize, k: usize| match k {
+        0 => band * (at.diffuse[channel] + floor[channel]),
+        _ => band * (at.specular[channel] + floor[channel]),
+    };
+    let bounds = |channel: usize| {
+        std::array::from_fn(|k| {
+            let (low, high) = limits.of(channel)[k];
+            let at = [at.diffuse[channel], at.specular[channel]][k];
+            (
+                low.max(at - reach(channel, k)),
+                high.min(at + reach(channel, k)),
+            )
+        })
+    };
     let empty = || -> [Sum; 3] {
         std::array::from_fn(|channel| Sum {
             cells: Vec::new(),
             linear: [0.0; 2],
-            bounds: limits.of(channel),
+            bounds: bounds(channel),
         })
     };
-    let floor: [f64; 3] = std::array::from_fn(|channel| floor(sites, channel));
     let parts: Vec<[Sum; 3]> = sites
         .slabs
         .par_iter()
@@ -142,9 +170,12 @@ fn gather(sites: &Sites, shapes: &[f32], at: &Amplitudes, limits: &Limits, band:
             let mut sums = empty();
             for row in &sites.rows[slab.clone()] {
                 for_each_cell(sites, row, shapes, |channel, cell, _| {
+                    if done[channel] {
+                        return;
+                    }
                     let model = at.diffuse[channel] + at.specular[channel] * cell.x;
                     let r = model - cell.f;
-                    if r.abs() <= band * (model + floor[channel]) {
+                    if r.abs() <= band * (model + 2.0 * floor[channel]) {
                         sums[channel].cells.push(cell);
                     } else {
                         let slope = cell.w * r.signum();

@@ -41,7 +41,11 @@ pub struct End {
 
 const ARMIJO: f64 = 1e-4;
 const WOLFE: f64 = 0.7;
-const LINE_SEARCH: usize = 12;
+const LINE_SEARCH: usize = 10;
+/// Second derivative of the error in a variable of the search, relative to the error.
+const COMMON_CURVATURE: f64 = 0.5;
+/// Where a step that fails promised less than this share of the error, no other is tried.
+const RETRY: f64 = 1e-3;
 
 /// Descends from `start`. `evaluate` returns `None` to stop: then the best so far is returned, if there is one.
 pub fn descend(
@@ -61,17 +65,24 @@ pub fn descend(
     loop {
         let free = free_variables(at, value.gradient, low, high);
         let g = value.gradient * free;
-        // Without a curvature yet: steepest descent of a given length.
-        let scaled = || DMat3::from_diagonal(DVec3::splat(g.length() / rules.first_step));
+        // Without a curvature yet: steepest descent, not longer than the first step, and not past a minimum that is
+        // as sharp as errors commonly have it.
+        let scaled = || {
+            DMat3::from_diagonal(DVec3::splat(
+                g.length() / rules.first_step + COMMON_CURVATURE * value.error,
+            ))
+        };
         let step = newton_step(b.unwrap_or_else(scaled), g, free);
         let promise = -0.5 * g.dot(step);
         if promise.is_nan() || promise <= rules.tolerance * value.error {
             converged = true;
             break;
         }
-        let Some((t, next)) = line_search(at, value, step, (low, high), &mut left, evaluate) else {
+        let least = rules.tolerance * value.error;
+        let Some((t, next)) = line_search(at, value, step, least, (low, high), &mut left, evaluate)
+        else {
             // No step is better: the promise came from a curvature that is wrong, or a kink ends here.
-            if b.take().is_none() || left == 0 {
+            if b.take().is_none() || promise <= RETRY * value.error || left == 0 {
                 converged = left > 0;
                 break;
             }
@@ -132,11 +143,12 @@ fn newton_step(mut b: DMat3, g: DVec3, free: DVec3) -> DVec3 {
     }
 }
 
-/// A step length and its value, by bisection; `None` where no length is better.
+/// A step length and its value, by parabola and bisection; `None` where no length is better.
 fn line_search(
     at: DVec3,
     value: Value,
     step: DVec3,
+    least: f64,
     (low, high): (DVec3, DVec3),
     left: &mut usize,
     evaluate: &mut dyn FnMut(DVec3) -> Option<Value>,
@@ -146,6 +158,10 @@ fn line_search(
     let mut t = 1.0;
     let mut best: Option<(f64, Value)> = None;
     for _ in 0..LINE_SEARCH.min(*left) {
+        if -t * slope < least {
+            // So short a step cannot gain what counts.
+            break;
+        }
         let to = (at + t * step).clamp(low, high);
         *left -= 1;
         let Some(found) = evaluate(to) else {
@@ -157,6 +173,13 @@ fn line_search(
         }
         if found.error > value.error + ARMIJO * t * slope || found.error.is_nan() {
             far = t;
+            // The minimum of the parabola through what is known, at most half way.
+            let bent = found.error - value.error - t * slope;
+            let lowest = -0.5 * slope * t * t / bent;
+            if near == 0.0 && lowest.is_finite() {
+                t = lowest.clamp(0.05 * t, 0.5 * t);
+                continue;
+            }
         } else if found.gradient.dot(step) < WOLFE * slope
             && to != (at + 2.0 * t * step).clamp(low, high)
         {

@@ -175,7 +175,7 @@ impl<'a, 'w> Engine<'a, 'w> {
     /// Stage 1.
     fn amplitudes(&mut self, before: &Best) -> Vec<Best> {
         self.evaluations += 1;
-        vec![self.solve_exactly(&before.candidate, &self.space.limits, Effort::COLD)]
+        vec![self.solve_exactly(&before.candidate, &self.space.limits)]
     }
 
     /// Stage 2.
@@ -190,7 +190,7 @@ impl<'a, 'w> Engine<'a, 'w> {
         let mut limits = self.space.limits;
         limits.diffuse = before.candidate.amplitudes.diffuse.map(|a| (a, a));
         let found = self.descend_levels(&before.candidate, Follow::Solved(limits));
-        vec![self.solve_exactly(&found, &limits, Effort::WARM)]
+        vec![self.solve_exactly(&found, &limits)]
     }
 
     /// Stage 4: from the data's starts on the small sample, from the best of these, from the end of the stages
@@ -261,7 +261,7 @@ impl<'a, 'w> Engine<'a, 'w> {
         if let Some((start, curvature)) = ends.first() {
             let end = self.descend_all(start, *curvature, follow);
             let limits = self.space.limits;
-            found.push(self.solve_exactly(&end, &limits, Effort::WARM));
+            found.push(self.solve_exactly(&end, &limits));
         }
         found
     }
@@ -329,7 +329,7 @@ impl<'a, 'w> Engine<'a, 'w> {
         let level = Level {
             sites: &self.problem.all,
             threads: Threads::Many,
-            tolerance: 2e-6,
+            tolerance: 1e-5,
             evaluations: 60,
         };
         let rules = self.rules(&level);
@@ -385,7 +385,7 @@ impl<'a, 'w> Engine<'a, 'w> {
     }
 
     /// The same after solving for the amplitudes, exactly.
-    fn solve_exactly(&self, near: &Candidate, limits: &Limits, effort: Effort) -> Best {
+    fn solve_exactly(&self, near: &Candidate, limits: &Limits) -> Best {
         let all = &self.problem.all;
         let shapes = self.shapes(near.point);
         let (amplitudes, _) = regression::solve(
@@ -393,7 +393,7 @@ impl<'a, 'w> Engine<'a, 'w> {
             &shapes,
             &near.amplitudes,
             limits,
-            effort,
+            Effort::CLOSE,
             Threads::Many,
         );
         let amplitudes = cells::exact(all, &shapes, &amplitudes, limits);
@@ -478,7 +478,7 @@ pub(super) fn best_amplitudes(problem: &Problem, brdf: &Brdf, limits: &Limits) -
         &shapes,
         &near,
         limits,
-        Effort::COLD,
+        Effort::CLOSE,
         Threads::Many,
     );
     cells::exact(&problem.all, &shapes, &near, limits)

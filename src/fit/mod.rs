@@ -95,3 +95,6 @@ fn fit_knowing(
         found
     })
 }
+
+#[cfg(test)]
+mod tests;

@@ -10,8 +10,10 @@ use crate::brdf::{Fresnel, ParamId, Params, params};
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// Half width of the band in which the sign of a residual is softened for slopes, relative to the model.
-const SOFT_BAND: f64 = 0.02;
+/// Half width of the band in which the sign of a residual is softened for slopes, relative to the model, as a share
+/// of the error: narrower than residuals commonly are, or the slopes would be those of another function.
+const SOFT_BAND: f64 = 0.05;
+const WIDEST_SOFT_BAND: f64 = 0.01;
 
 /// A shape with its amplitudes and the E that they give on some sites.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -170,7 +172,9 @@ impl<'a> Objective<'a> {
     pub fn value(&mut self, point: Point) -> Value {
         let lobe = Lobe::new(Shape::at(point), self.fresnel);
         let amplitudes = self.amplitudes(&lobe, point);
-        let slopes = passes::slopes(&lobe, self.sites, &amplitudes, SOFT_BAND, self.threads);
+        let error = self.best.map_or(1.0, |best| best.error);
+        let band = (SOFT_BAND * error).clamp(1e-7, WIDEST_SOFT_BAND);
+        let slopes = passes::slopes(&lobe, self.sites, &amplitudes, band, self.threads);
         self.take(Candidate {
             point,
             amplitudes,

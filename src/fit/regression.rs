@@ -51,27 +51,37 @@ pub struct Effort {
     pub passes: usize,
     /// Half width of the band to begin with, relative to the model.
     pub band: f64,
+    /// Half width of the band to end with, as a share of the relative error: well within the residuals.
+    pub narrow: f64,
 }
 
 impl Effort {
     /// From nowhere in particular.
     pub const COLD: Self = Self {
-        tolerance: 1e-5,
-        passes: 16,
+        tolerance: 1e-4,
+        passes: 12,
         band: 2.0,
+        narrow: 0.2,
     };
     /// From the solution of a shape nearby.
     pub const WARM: Self = Self {
-        tolerance: 1e-6,
-        passes: 8,
+        tolerance: 1e-5,
+        passes: 6,
+        band: 0.02,
+        narrow: 0.2,
+    };
+    /// So near that [`super::cells::exact`] has little left to do.
+    pub const CLOSE: Self = Self {
+        tolerance: 1e-8,
+        passes: 16,
         band: 0.1,
+        narrow: 0.03,
     };
 }
 
-/// Narrow enough: the minimum of the rounded sum is within 1e-6 of the true one, as the bias goes with its 4th power.
-const NARROW: f64 = 0.03;
-/// The narrowest, for data that a model meets exactly.
+/// The narrowest band, for data that a model meets exactly, and the widest to end with.
 const NARROWEST: f64 = 1e-6;
+const WIDEST: f64 = 0.03;
 /// How much of the parabola is added to the curvature, which few residuals within the band may leave too small.
 const SAFEGUARD: f64 = 0.02;
 
@@ -122,7 +132,7 @@ pub fn solve(
         let sums = passes::regression(sites, shapes, &at, bands, floor, threads);
         for (k, channel) in channels.iter_mut().enumerate() {
             if !channel.done {
-                channel.learn(&sums[k], &limits.of(k), effort.tolerance);
+                channel.learn(&sums[k], &limits.of(k), effort, sites.shares[k]);
             }
         }
         if channels.iter().all(|channel| channel.done) {
@@ -145,7 +155,8 @@ fn amplitudes(of: impl Fn(usize) -> [f64; 2]) -> Amplitudes {
 
 impl Descent {
     /// Takes the sums at `at`, and sets out for the next point or is done.
-    fn learn(&mut self, sums: &ChannelSums, bounds: &[(f64, f64); 2], tolerance: f64) {
+    fn learn(&mut self, sums: &ChannelSums, bounds: &[(f64, f64); 2], effort: Effort, share: f64) {
+        let tolerance = effort.tolerance;
         let better = sums.error < self.sums.error;
         if better {
             self.best = self.at;
@@ -153,7 +164,7 @@ impl Descent {
             self.careful = false;
         } else if self.careful {
             // Even the parabola finds nothing better: what is left is rounding.
-            self.done = self.band <= NARROW;
+            self.done = true;
         } else {
             self.careful = true;
         }
@@ -169,18 +180,13 @@ impl Descent {
         };
         let step = step_within(slope, matrix, self.best, bounds);
         let gain = -value(slope, matrix, step);
-        // All residuals within the band: the data are met nearly exactly, and the kinks are nearer than the band.
-        let exact = curvature[0] > 0.95 * majorant[0];
-        let narrowest = if exact { NARROWEST } else { NARROW };
-        if gain <= tolerance * error && self.band <= narrowest.max(NARROW * 1.01) && !exact
-            || error <= 1e-9
-            || !(gain.is_finite())
-            || self.band <= NARROWEST
-        {
+        let narrow = (effort.narrow * error / share).clamp(NARROWEST, WIDEST);
+        let met = error <= 1e-8 * share || !gain.is_finite();
+        if met || (gain <= tolerance * error && self.band <= narrow) {
             self.done = true;
         }
-        if gain <= 0.1 * error || exact {
-            self.band = (self.band * if exact { 0.1 } else { 0.3 }).max(narrowest);
+        if gain <= 0.1 * error {
+            self.band = (0.2 * self.band).max(narrow);
         }
         self.at = [self.best[0] + step[0], self.best[1] + step[1]];
         for (x, (low, high)) in self.at.iter_mut().zip(bounds) {
