@@ -3,6 +3,7 @@
 //! A [`Model`] is a row of [`MODELS`]: its parameters drive sliders, bounds, uniforms, file formats and tests.
 //! A new model is a file `x.rs`, its twin `x.wgsl` and a row.
 
+pub mod albedo;
 mod blinn_phong;
 mod combined;
 pub mod fresnel;
@@ -11,6 +12,7 @@ pub mod params;
 mod phong;
 pub mod wgsl;
 
+pub use albedo::albedo;
 pub use fresnel::Fresnel;
 pub use params::{Param, ParamId, Params};
 

@@ -1,0 +1,166 @@
+use super::*;
+use crate::brdf::fresnel::FRESNELS;
+use crate::brdf::{Fresnel, MODELS, Model, Params};
+
+fn brdf(key: &str, fresnel: Fresnel, s: f64, alpha: f64, eta: f64) -> Brdf {
+    Brdf {
+        model: Model::by_key(key).expect("a model"),
+        fresnel,
+        params: Params {
+            rho_d: [0.0, 0.5, 0.1],
+            k_s: [1.0, 0.0, 2.0],
+            s,
+            alpha,
+            eta,
+        },
+    }
+}
+
+/// The specular part for k_s = 1.
+fn specular(brdf: &Brdf, deg: f64) -> f64 {
+    albedo(brdf, deg.to_radians())[0]
+}
+
+fn off(found: f64, wanted: f64) -> f64 {
+    (found / wanted - 1.0).abs()
+}
+
+#[test]
+fn lambert_reflects_rho_d_and_the_channels_share_the_integral() {
+    let b = brdf("combined", Fresnel::Exact, 30.0, 0.4, 1.5);
+    for deg in [0.0, 60.0, 89.0] {
+        let [one, none, both] = albedo(&b, f64::to_radians(deg));
+        assert_eq!(none, 0.5);
+        assert!((both - (0.1 + 2.0 * one)).abs() < 1e-15);
+    }
+}
+
+/// Largest relative distance to the closed forms at normal incidence, for exponents with an error put in.
+fn worst_at_normal_incidence(planted: f64) -> f64 {
+    let mut worst: f64 = 0.0;
+    for s in [0.1, 0.7, 3.0, 50.0, 4e3, 4e5] {
+        let wrong = s * (1.0 + planted);
+        let phong = brdf("phong", Fresnel::None, wrong, 0.5, 1.5);
+        worst = worst.max(off(specular(&phong, 0.0), 2.0 * PI / (s + 2.0)));
+        // With t = cos(θo/2): 2π ∫ t^s (2t²−1) 4t dt.
+        let antiderivative =
+            |t: f64| 8.0 * PI * (2.0 * t.powf(s + 4.0) / (s + 4.0) - t.powf(s + 2.0) / (s + 2.0));
+        let wanted = antiderivative(1.0) - antiderivative(0.5_f64.sqrt());
+        let blinn = brdf("blinn-phong", Fresnel::None, wrong, 0.5, 1.5);
+        worst = worst.max(off(specular(&blinn, 0.0), wanted));
+    }
+    worst
+}
+
+#[test]
+fn normal_incidence_has_its_closed_forms() {
+    let worst = worst_at_normal_incidence(0.0);
+    assert!(worst < 2e-5, "{worst}");
+    assert!(worst_at_normal_incidence(1e-3) > 2e-5);
+}
+
+/// A sum over a fine grid of (θo, φo).
+fn brute_force(brdf: &Brdf, theta_i: f64) -> f64 {
+    let (rows, columns) = (700, 700);
+    let wi = direction(theta_i, 0.0);
+    let mut sum = 0.0;
+    for row in 0..rows {
+        let theta = (f64::from(row) + 0.5) / f64::from(rows) * FRAC_PI_2;
+        for column in 0..columns {
+            let phi = (f64::from(column) + 0.5) / f64::from(columns) * PI;
+            let c = Cosines::from_directions(wi, direction(theta, phi));
+            sum += brdf.specular_shape(&c) * theta.cos() * theta.sin();
+        }
+    }
+    2.0 * sum * FRAC_PI_2 * PI / f64::from(rows * columns)
+}
+
+#[test]
+fn oblique_incidence_agrees_with_brute_force() {
+    let mut cases: Vec<(Brdf, f64)> = Vec::new();
+    for model in MODELS {
+        for fresnel in FRESNELS {
+            for (s, deg) in [(0.4, 20.0), (6.0, 80.0), (40.0, 45.0_f64)] {
+                cases.push((brdf(model.key, fresnel, s, 0.3, 1.4), deg));
+            }
+        }
+    }
+    for (b, deg) in &cases {
+        let wanted = brute_force(b, deg.to_radians());
+        let found = specular(b, *deg);
+        assert!(
+            off(found, wanted) < 1e-4,
+            "{b:?} at {deg}°: {found} {wanted}"
+        );
+    }
+    // Planted: another angle, another η, another α.
+    let (b, deg) = &cases[cases.len() - 4];
+    let wanted = brute_force(b, deg.to_radians());
+    assert!(off(specular(b, deg + 0.1), wanted) > 1e-4);
+    let mut other = *b;
+    other.params.eta += 0.001;
+    assert!(off(specular(&other, *deg), wanted) > 1e-4);
+    other = *b;
+    other.params.alpha += 0.001;
+    assert!(off(specular(&other, *deg), wanted) > 1e-4);
+}
+
+#[test]
+fn needles_have_their_asymptotic_albedo() {
+    // The peak is exp(−2s (u² + k v²)), k = α + (1−α) cos² θi, and dωo = 4 cos θi du dv.
+    for (model, alpha) in [
+        ("phong", 0.0),
+        ("blinn-phong", 1.0),
+        ("combined", 0.003),
+        ("combined", 0.5),
+    ] {
+        for fresnel in FRESNELS {
+            for deg in [0.0, 45.0, 80.0_f64] {
+                let cos = deg.to_radians().cos();
+                let b = brdf(model, fresnel, 4e5, alpha, 1.5);
+                let s = 4e5 / b.model.exponent_ratio;
+                let k = alpha + (1.0 - alpha) * cos * cos;
+                let wanted =
+                    fresnel.reflectance(cos, 1.5) * 4.0 * cos * cos * PI / (2.0 * s * k.sqrt());
+                let found = specular(&b, deg);
+                assert!(
+                    off(found, wanted) < 2e-3,
+                    "{model} {alpha} {fresnel:?} {deg}°: {found} {wanted}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn models_that_are_equal_reflect_equally() {
+    // The needles at grazing, by another way: Phong's coordinates against those of the half vector.
+    for fresnel in FRESNELS {
+        for s in [0.1, 3.0, 100.0, 1e5] {
+            for deg in [0.0, 45.0, 80.0, 89.0] {
+                for (key, alpha, ratio) in [("phong", 0.0, 1.0), ("blinn-phong", 1.0, 4.0)] {
+                    let one = specular(&brdf(key, fresnel, ratio * s, 0.0, 1.3), deg);
+                    let other = specular(&brdf("combined", fresnel, s, alpha, 1.3), deg);
+                    assert!(off(one, other) < 1e-9, "{key} {s} {deg}°");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn odd_parameters_give_finite_albedos() {
+    for model in MODELS {
+        for (s, alpha, eta, theta) in [
+            (4e7, 0.5, 1.0, FRAC_PI_2),
+            (4e-3, 1e-9, 1e3, 1.5707),
+            (1e7, 1.0, 1.0, 0.0),
+        ] {
+            let found = albedo(&brdf(model.key, Fresnel::Exact, s, alpha, eta), theta);
+            assert!(
+                found.iter().all(|x| x.is_finite() && *x >= 0.0),
+                "{found:?}"
+            );
+        }
+    }
+}
