@@ -78,7 +78,8 @@ fn errors_are_those_of_a_plain_loop() {
         let other = both(table, &b, weight, limit - 2_f64.to_radians()).1;
         assert!(distance(&found, &other) > 1e-5);
         let mut other = b;
-        other.params.rho_d[2] *= 1.0001;
+        other.params.rho_d[2] *= 1.001;
+        other.params.k_s[2] *= 1.001;
         let cells = reference::counted(table, &b, weight, limit);
         assert!(distance(&found, &reference::errors(&cells, &other)) > 1e-6);
     }

@@ -123,8 +123,12 @@ fn all_six_keep_the_laws() {
     };
     planted(&|o| o.stages[1].error *= 1.1, "stage 2 says");
     planted(&|o| o.stages[1].end = o.stages[3].end, "stage 2 moves");
-    planted(&|o| o.stages.swap(0, 3), "E rises after stage 1");
-    planted(&|o| o.stages[2].start_error *= 0.5, "E rises in stage 3");
+    planted(&|o| o.stages.swap(0, 3), "E rises after stage");
+    planted(
+        &|o| o.stages.swap(1, 2),
+        "stages [Amplitudes, ShapeAndSpecular",
+    );
+    planted(&|o| o.stages[2].start_error *= 0.1, "E rises in stage 3");
     planted(&|o| o.brdf.params.s *= 1.01, "not where it ended");
     planted(&|o| o.errors.total *= 1.01, "errors of another model");
     planted(&|o| o.stages[0].start.params.s = 2e5, "s is out of bounds");
