@@ -5,7 +5,7 @@
 use super::Brdf;
 use crate::geom::{Cosines, Rgb, direction, mirror};
 use glam::DVec3;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
 /// Directional-hemispherical reflectance ∫ f_r cos θo dωo of light from `theta_i` in [0, π/2) radians.
 ///

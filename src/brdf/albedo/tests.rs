@@ -1,6 +1,7 @@
 use super::*;
 use crate::brdf::fresnel::FRESNELS;
 use crate::brdf::{Fresnel, MODELS, Model, Params};
+use std::f64::consts::PI;
 
 fn brdf(key: &str, fresnel: Fresnel, s: f64, alpha: f64, eta: f64) -> Brdf {
     Brdf {
@@ -153,7 +154,7 @@ fn odd_parameters_give_finite_albedos() {
     for model in MODELS {
         for (s, alpha, eta, theta) in [
             (4e7, 0.5, 1.0, FRAC_PI_2),
-            (4e-3, 1e-9, 1e3, 1.5707),
+            (4e-3, 1e-9, 1e3, 1.57),
             (1e7, 1.0, 1.0, 0.0),
         ] {
             let found = albedo(&brdf(model.key, Fresnel::Exact, s, alpha, eta), theta);
