@@ -132,7 +132,7 @@ impl FitRecord {
 pub struct Entry {
     /// The model.
     pub brdf: Brdf,
-    /// Name of the material.
+    /// Name of the material, in one line.
     pub material: Option<String>,
     /// The measured file that it was fitted to.
     pub source: Option<SourceFile>,
@@ -153,7 +153,9 @@ pub struct MaterialFits {
     pub places: Vec<PathBuf>,
     /// The measured file that is there.
     pub found: Option<PathBuf>,
-    /// The models, never none: by ascending E, those without E last.
+    /// The model with the smallest E; the first where no E is given.
+    pub best: Brdf,
+    /// All models by ascending E, those without E last.
     pub entries: Vec<Entry>,
 }
 
@@ -186,12 +188,14 @@ pub fn by_material(path: &Path, entries: Vec<Entry>) -> Vec<MaterialFits> {
             source: entry.source.clone(),
             found: places.iter().find(|place| place.is_file()).cloned(),
             places,
+            best: entry.brdf,
             entries: vec![entry],
         });
     }
     for fits in &mut all {
         let error = |entry: &Entry| entry.error.unwrap_or(f64::INFINITY);
         fits.entries.sort_by(|a, b| error(a).total_cmp(&error(b)));
+        fits.best = fits.entries[0].brdf;
     }
     all
 }

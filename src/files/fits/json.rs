@@ -48,7 +48,9 @@ fn entry(value: Value) -> Result<Entry, String> {
     let text = |key: &str| value.get(key).and_then(Value::as_str).map(str::to_owned);
     Ok(Entry {
         brdf,
-        material: text("material").filter(|name| !name.trim().is_empty()),
+        material: text("material")
+            .map(|name| name.replace(char::is_control, " "))
+            .filter(|name| !name.trim().is_empty()),
         source: value
             .get("source")
             .and_then(|source| SourceFile::deserialize(source).ok()),
@@ -222,7 +224,11 @@ impl From<&FitRecord> for Object {
             error_grazing: fit.errors.grazing.and_then(finite),
             error_channels: fit.errors.channels.map(finite),
             stages: stages.collect(),
-            albedo: ALBEDO_ANGLES.map(angle_key).into_iter().zip(fit.albedo).collect(),
+            albedo: ALBEDO_ANGLES
+                .map(angle_key)
+                .into_iter()
+                .zip(fit.albedo)
+                .collect(),
             albedo_above_one: fit.exceeds_one(),
             evaluations: fit.evaluations,
             ended_because: fit.ended.key().into(),

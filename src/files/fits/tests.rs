@@ -107,10 +107,16 @@ fn what_is_written_is_read_back_bit_by_bit() {
 
 #[test]
 fn a_plain_model_is_no_fit_and_a_bad_entry_is_named() {
-    let plain = r#"{"model": "phong", "rho_d": [1, 0, 0], "k_s": [1, 2, 4], "s": 3, "source": "a paper"}"#;
+    let plain =
+        r#"{"model": "phong", "rho_d": [1, 0, 0], "k_s": [1, 2, 4], "s": 3, "source": "a paper"}"#;
     let read = entries(plain).expect("is read");
-    let [entry] = &read[..] else { panic!("{read:?}") };
-    assert_eq!((&entry.fit, &entry.source, entry.error), (&None, &None, None));
+    let [entry] = &read[..] else {
+        panic!("{read:?}")
+    };
+    assert_eq!(
+        (&entry.fit, &entry.source, entry.error),
+        (&None, &None, None)
+    );
     let said = |text: &str| entries(text).expect_err("is bad");
     assert!(said(&format!("[{plain}, {{}}]")).starts_with("entry 1: \"model\" is missing"));
     assert!(said("[]").contains("empty"));
