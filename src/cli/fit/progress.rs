@@ -22,7 +22,7 @@ impl Bar {
     /// A bar on standard error; one that shows nothing where that is no terminal.
     pub fn new(files: usize, variants: &[Variant]) -> Self {
         let bar = ProgressBar::new((files * variants.len()) as u64 * STEPS as u64);
-        let style = ProgressStyle::with_template("{prefix} [{bar:24}] {percent:>3} %  {wide_msg}");
+        let style = ProgressStyle::with_template("{prefix} [{bar:16}] {percent:>3} %  {wide_msg}");
         if let Ok(style) = style {
             bar.set_style(style.progress_chars("=> "));
         }
@@ -55,10 +55,10 @@ impl Bar {
         }
         let variant = self.variants.get(variant).map_or("", String::as_str);
         self.bar.set_message(format!(
-            "{}  {variant}  stage {}  E {:.4}",
+            "E {:.4}  {}  {variant}  stage {}",
+            progress.error,
             self.name,
-            progress.stage.number(),
-            progress.error
+            progress.stage.number()
         ));
         self.advance();
     }
