@@ -64,7 +64,7 @@ impl Queue {
 pub fn load(
     job: u64,
     origin: Origin,
-    fits: Option<MaterialFits>,
+    fits: Option<Box<MaterialFits>>,
     cancel: &CancelFlag,
     outbox: &Outbox,
 ) {

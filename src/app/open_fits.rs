@@ -15,7 +15,10 @@ pub(super) fn open(state: &mut State, path: &Path, all: Vec<MaterialFits>) -> Ve
     for fits in all {
         match (find_open(state, &fits), fits.found.clone()) {
             (Some(index), _) => over.push((index, fits)),
-            (None, Some(file)) => tasks.push(load_with(state, Origin::File(file), Some(fits))),
+            (None, Some(file)) => {
+                let fits = Some(Box::new(fits));
+                tasks.push(load_with(state, Origin::File(file), fits));
+            }
             (None, None) => without.push(fits),
         }
     }
@@ -24,13 +27,13 @@ pub(super) fn open(state: &mut State, path: &Path, all: Vec<MaterialFits>) -> Ve
         notify(state, Level::Info, text);
     }
     for fits in without {
-        add_material(state, Origin::File(path.to_owned()), alone(fits));
+        add_material(state, Origin::File(path.to_owned()), alone(Box::new(fits)));
     }
     tasks
 }
 
 /// A material that is a model and nothing else.
-pub(super) fn alone(fits: MaterialFits) -> Loaded {
+pub(super) fn alone(fits: Box<MaterialFits>) -> Loaded {
     Loaded {
         name: fits.name.clone(),
         source: None,

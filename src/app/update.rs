@@ -85,7 +85,7 @@ pub struct Loaded {
     /// The first guess of a model.
     pub guess: Brdf,
     /// The models that a fit file has for it.
-    pub fits: Option<MaterialFits>,
+    pub fits: Option<Box<MaterialFits>>,
 }
 
 impl Loaded {
@@ -115,7 +115,7 @@ pub enum Task {
     Load {
         job: u64,
         origin: Origin,
-        fits: Option<MaterialFits>,
+        fits: Option<Box<MaterialFits>>,
         cancel: CancelFlag,
     },
     /// Ask for files to open.
@@ -245,7 +245,11 @@ pub(super) fn load(state: &mut State, origin: Origin) -> Task {
 }
 
 /// Loads a material that a fit file has models for.
-pub(super) fn load_with(state: &mut State, origin: Origin, fits: Option<MaterialFits>) -> Task {
+pub(super) fn load_with(
+    state: &mut State,
+    origin: Origin,
+    fits: Option<Box<MaterialFits>>,
+) -> Task {
     let job = state.fresh_id();
     let cancel = CancelFlag::default();
     let label = match &origin {

@@ -73,7 +73,7 @@ fn what_is_written_is_read_back_bit_by_bit() {
     for fresnel in crate::brdf::fresnel::FRESNELS {
         for model in 0..MODELS.len() {
             let written = record(model, fresnel);
-            let text = json_of(&[written.clone()]);
+            let text = json_of(std::slice::from_ref(&written));
             let mut read = entries(&text).expect("is read");
             assert_eq!(read.len(), 1);
             let entry = read.remove(0);
