@@ -240,6 +240,18 @@ fn a_measured_file_that_is_missing_or_changed_is_named() {
     let state = window.state().state();
     assert_eq!(shown(state), [("gold", 9.0, false)]);
     said(state, Level::Error, "not a MERL file", &gold);
+
+    // A fit file that names itself as its data ends too.
+    let circular = SourceFile {
+        path: fits.display().to_string(),
+        bytes: None,
+        sha256: None,
+    };
+    write_fits(&fits, &[record("gold", Some(circular), 9.0, 0.1)]);
+    let window = self::window(&[&fits]);
+    let state = window.state().state();
+    assert_eq!(shown(state), [("gold", 9.0, false)]);
+    said(state, Level::Error, "not a MERL file", &fits);
 }
 
 #[test]

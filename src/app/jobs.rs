@@ -88,7 +88,7 @@ pub fn load(
                 let name = sample.name.to_string();
                 Ok(Loaded::new(name, None, sample.synthesize()))
             }
-            Origin::File(path) => match (open_file(path, &mut progress), fits) {
+            Origin::File(path) => match (open_file(path, fits.is_some(), &mut progress), fits) {
                 (Ok(Found::Material(loaded)), fits) => Ok(Loaded { fits, ..*loaded }),
                 (Ok(Found::Fits(fits)), _) => {
                     let path = path.clone();
@@ -117,8 +117,14 @@ enum Found {
     Fits(Vec<MaterialFits>),
 }
 
-fn open_file(path: &Path, progress: files::Progress) -> Result<Found, FileError> {
-    if let Some(entries) = files::open_models(path)? {
+/// `measured`: a fit file names it as its data. A fit file that names itself must not be read for ever.
+fn open_file(path: &Path, measured: bool, progress: files::Progress) -> Result<Found, FileError> {
+    let entries = if measured {
+        None
+    } else {
+        files::open_models(path)?
+    };
+    if let Some(entries) = entries {
         let fits = fits::by_material(path, entries);
         if fits.iter().any(|fits| fits.found.is_none()) {
             // Made here and not on the window's thread.
