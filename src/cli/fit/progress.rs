@@ -55,10 +55,10 @@ impl Bar {
         }
         let variant = self.variants.get(variant).map_or("", String::as_str);
         self.bar.set_message(format!(
-            "E {:.4}  {}  {variant}  stage {}",
+            "stage {}  E {:.4}  {}  {variant}",
+            progress.stage.number(),
             progress.error,
-            self.name,
-            progress.stage.number()
+            self.name
         ));
         self.advance();
     }
