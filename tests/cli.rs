@@ -1,64 +1,13 @@
 //! The command line as a person meets it: what is printed, and one clear line for every bad input.
 
+#[path = "common/program.rs"]
+mod program;
+
+use program::{Folder, failed, grazing, stderr, stdout, succeeded};
 use std::fs;
 use std::io::Write as _;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
-
-fn grazing(args: &[&dyn AsRef<std::ffi::OsStr>]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_grazing"));
-    for arg in args {
-        command.arg(arg);
-    }
-    command.output().expect("the program starts")
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).expect("UTF-8")
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).expect("UTF-8")
-}
-
-#[track_caller]
-fn succeeded(output: &Output) -> String {
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(output));
-    assert_eq!(stderr(output), "");
-    stdout(output)
-}
-
-/// Exit code 1, nothing on standard output, one line on standard error with the path last.
-#[track_caller]
-fn failed(output: &Output, path: &Path, said: &str) {
-    let line = stderr(output);
-    assert_eq!(output.status.code(), Some(1), "{line}");
-    assert_eq!(stdout(output), "");
-    assert_eq!(line.lines().count(), 1, "{line}");
-    assert!(line.starts_with("grazing: "), "{line}");
-    assert!(line.contains(said), "{line}");
-    assert!(line.ends_with(&format!(": {}\n", path.display())), "{line}");
-    assert!(!line.contains("panicked"), "{line}");
-}
-
-/// A folder with files in it.
-struct Folder(tempfile::TempDir);
-
-impl Folder {
-    fn new() -> Self {
-        Self(tempfile::tempdir().expect("a folder"))
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
-
-    fn file(&self, name: &str, bytes: impl AsRef<[u8]>) -> PathBuf {
-        let path = self.path(name);
-        fs::write(&path, bytes).expect("is written");
-        path
-    }
-}
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
 
 /// A MERL file made by hand: every stored number of a plane is the same.
 fn merl(bins: [i32; 3], planes: [f64; 3]) -> Vec<u8> {

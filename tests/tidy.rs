@@ -38,7 +38,7 @@ const RULES: [Rule; 9] = [
     },
     Rule {
         module: "files",
-        may_use: &["geom", "brdf", "measured"],
+        may_use: &["geom", "brdf", "measured", "fit"],
         pure: false,
     },
     Rule {

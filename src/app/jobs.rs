@@ -1,10 +1,14 @@
 //! Work in the background: a queue with one worker, and the way back to the window.
 
-use super::state::{CancelFlag, Origin};
+use super::open_fits;
+use super::state::{CancelFlag, Level, Origin};
 use super::update::{Loaded, Msg};
-use crate::files;
+use crate::files::fits::{self, MaterialFits};
+use crate::files::{self, FileError};
+use crate::measured::Table;
 use crate::measured::samples::SAMPLES;
 use std::ops::ControlFlow;
+use std::path::Path;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread;
 
@@ -56,8 +60,14 @@ impl Queue {
     }
 }
 
-/// Loads a material and says how it goes.
-pub fn load(job: u64, origin: Origin, cancel: &CancelFlag, outbox: &Outbox) {
+/// Loads a material, with what a fit file has for it, or reads a fit file; says how it goes.
+pub fn load(
+    job: u64,
+    origin: Origin,
+    fits: Option<Box<MaterialFits>>,
+    cancel: &CancelFlag,
+    outbox: &Outbox,
+) {
     let mut progress = |fraction: f32| {
         outbox.send(Msg::Progress {
             job,
@@ -75,12 +85,22 @@ pub fn load(job: u64, origin: Origin, cancel: &CancelFlag, outbox: &Outbox) {
         match &origin {
             Origin::Sample(index) => {
                 let sample = &SAMPLES[*index];
-                Ok(Loaded::new(sample.name.to_string(), sample.synthesize()))
+                let name = sample.name.to_string();
+                Ok(Loaded::new(name, None, sample.synthesize()))
             }
-            Origin::File(path) => match files::open_table(path, &mut progress) {
-                Ok(table) => Ok(Loaded::new(files::material_name(path), table)),
-                Err(_) if cancel.is_set() => Err(None),
-                Err(error) => Err(Some(error.to_string())),
+            Origin::File(path) => match (open_file(path, fits.is_some(), &mut progress), fits) {
+                (Ok(Found::Material(loaded)), fits) => Ok(Loaded { fits, ..*loaded }),
+                (Ok(Found::Fits(fits)), _) => {
+                    let path = path.clone();
+                    outbox.send(Msg::FitsRead { job, path, fits });
+                    return;
+                }
+                (Err(_), _) if cancel.is_set() => Err(None),
+                (Err(error), Some(fits)) => {
+                    outbox.send(Msg::Notify(Level::Error, error.to_string()));
+                    Ok(open_fits::alone(fits))
+                }
+                (Err(error), None) => Err(Some(error.to_string())),
             },
         }
     };
@@ -89,4 +109,30 @@ pub fn load(job: u64, origin: Origin, cancel: &CancelFlag, outbox: &Outbox) {
         origin,
         result,
     });
+}
+
+/// What is in a file.
+enum Found {
+    Material(Box<Loaded>),
+    Fits(Vec<MaterialFits>),
+}
+
+/// `measured`: a fit file names it as its data. A fit file that names itself must not be read for ever.
+fn open_file(path: &Path, measured: bool, progress: files::Progress) -> Result<Found, FileError> {
+    let entries = if measured {
+        None
+    } else {
+        files::open_models(path)?
+    };
+    if let Some(entries) = entries {
+        let fits = fits::by_material(path, entries);
+        if fits.iter().any(|fits| fits.found.is_none()) {
+            // Made here and not on the window's thread.
+            Table::unmeasured();
+        }
+        return Ok(Found::Fits(fits));
+    }
+    let (table, source) = files::open_measured(path, progress)?;
+    let loaded = Loaded::new(files::material_name(path), Some(source), table);
+    Ok(Found::Material(Box::new(loaded)))
 }

@@ -4,6 +4,7 @@ pub mod command;
 mod formula;
 mod history;
 mod jobs;
+mod open_fits;
 pub mod paint;
 mod panels;
 mod run_command;
@@ -212,7 +213,7 @@ fn dropped_files(ctx: &egui::Context, out: &mut Vec<Msg>) {
         painter.text(
             rect.center(),
             egui::Align2::CENTER_CENTER,
-            "Drop MERL files to open them",
+            "Drop MERL or fit files to open them",
             egui::FontId::proportional(24.0),
             egui::Color32::WHITE,
         );

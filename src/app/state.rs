@@ -4,6 +4,7 @@ use super::history::History;
 use crate::brdf::{Brdf, ParamId};
 use crate::figure::lobes::Channel;
 use crate::figure::scale::RadialScale;
+use crate::files::SourceFile;
 use crate::geom::Rgb;
 use crate::gpu::sphere::SphereView;
 use crate::measured::Table;
@@ -35,6 +36,8 @@ pub struct Material {
     pub name: String,
     /// File or sample.
     pub origin: Origin,
+    /// Which file it was and what was in it; `None` for a sample and for a model without data.
+    pub source: Option<SourceFile>,
     /// The data.
     pub table: Arc<Table>,
     /// The first guess of a model over it, made when it was loaded.

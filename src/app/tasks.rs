@@ -31,7 +31,7 @@ impl Picker {
             open: Arc::new(|| {
                 rfd::FileDialog::new()
                     .set_title("Open materials")
-                    .add_filter("MERL BRDF", &["binary"])
+                    .add_filter("MERL and fit files", &["binary", "json"])
                     .add_filter("All files", &["*"])
                     .pick_files()
                     .unwrap_or_default()
@@ -53,10 +53,11 @@ pub fn start(task: Task, ctx: &egui::Context, outbox: &Outbox, queue: &Queue, pi
         Task::Load {
             job,
             origin,
+            fits,
             cancel,
         } => {
             let outbox = outbox.clone();
-            queue.push(move || jobs::load(job, origin, &cancel, &outbox));
+            queue.push(move || jobs::load(job, origin, fits, &cancel, &outbox));
         }
         Task::PickFiles => {
             let (outbox, open) = (outbox.clone(), Arc::clone(&picker.open));

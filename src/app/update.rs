@@ -1,12 +1,15 @@
 //! The one place where the state changes: `apply(state, message) → tasks`.
 
 use super::command::Command;
+use super::open_fits;
 use super::run_command;
 use super::state::{
     CancelFlag, Job, Level, LobeTile, Material, MaterialId, Notice, Opened, Origin, Probe, Scene,
     SphereTile, State,
 };
 use crate::brdf::{Brdf, ParamId, Params};
+use crate::files::SourceFile;
+use crate::files::fits::MaterialFits;
 use crate::fit::start;
 use crate::geom::color::luminance;
 use crate::measured::Table;
@@ -29,6 +32,12 @@ pub enum Msg {
         job: u64,
         origin: Origin,
         result: Result<Loaded, Option<String>>,
+    },
+    /// A job read a file of models: what it has, by material.
+    FitsRead {
+        job: u64,
+        path: PathBuf,
+        fits: Vec<MaterialFits>,
     },
     /// Stop a job.
     Cancel(u64),
@@ -69,21 +78,32 @@ pub enum Msg {
 pub struct Loaded {
     /// Name on screen.
     pub name: String,
+    /// Which file it was.
+    pub source: Option<SourceFile>,
     /// The data.
     pub table: Arc<Table>,
-    /// The model to begin with.
+    /// The first guess of a model.
     pub guess: Brdf,
+    /// The models that a fit file has for it.
+    pub fits: Option<Box<MaterialFits>>,
 }
 
 impl Loaded {
     /// A table with its first guess; part of the job, as it walks the data.
-    pub fn new(name: String, table: Table) -> Self {
+    pub fn new(name: String, source: Option<SourceFile>, table: Table) -> Self {
         let guess = start::from_table(&table);
         Self {
             name,
+            source,
             table: Arc::new(table),
             guess,
+            fits: None,
         }
+    }
+
+    /// The model to begin with.
+    fn brdf(&self) -> Brdf {
+        self.fits.as_ref().map_or(self.guess, |fits| fits.best)
     }
 }
 
@@ -95,6 +115,7 @@ pub enum Task {
     Load {
         job: u64,
         origin: Origin,
+        fits: Option<Box<MaterialFits>>,
         cancel: CancelFlag,
     },
     /// Ask for files to open.
@@ -135,6 +156,10 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
                 Err(Some(reason)) => notify(state, Level::Error, reason),
                 Err(None) => {}
             }
+        }
+        Msg::FitsRead { job, path, fits } => {
+            state.jobs.retain(|other| other.id != job);
+            return open_fits::open(state, &path, fits);
         }
         Msg::Cancel(job) => {
             if let Some(job) = state.jobs.iter().find(|other| other.id == job) {
@@ -216,6 +241,15 @@ pub(super) fn edit_brdf(state: &mut State, change: impl FnOnce(&mut Brdf)) {
 }
 
 pub(super) fn load(state: &mut State, origin: Origin) -> Task {
+    load_with(state, origin, None)
+}
+
+/// Loads a material that a fit file has models for.
+pub(super) fn load_with(
+    state: &mut State,
+    origin: Origin,
+    fits: Option<Box<MaterialFits>>,
+) -> Task {
     let job = state.fresh_id();
     let cancel = CancelFlag::default();
     let label = match &origin {
@@ -234,28 +268,32 @@ pub(super) fn load(state: &mut State, origin: Origin) -> Task {
     Task::Load {
         job,
         origin,
+        fits,
         cancel,
     }
 }
 
-fn add_material(state: &mut State, origin: Origin, loaded: Loaded) {
-    if let Origin::File(path) = &origin {
+pub(super) fn add_material(state: &mut State, origin: Origin, loaded: Loaded) {
+    // What comes with a fit file is found again through that.
+    if let (Origin::File(path), None) = (&origin, &loaded.fits) {
         state.prefs.remember(path.clone());
     }
+    let brdf = loaded.brdf();
     let id = MaterialId(state.fresh_id());
     state.materials.insert(
         id,
         Material {
             name: loaded.name,
             origin,
+            source: loaded.source,
             table: loaded.table,
             guess: loaded.guess,
         },
     );
-    let opened = Opened {
-        id,
-        brdf: loaded.guess,
-    };
+    if let Some(fits) = &loaded.fits {
+        open_fits::arrived(state, id, fits);
+    }
+    let opened = Opened { id, brdf };
     let add = |scene: &mut Scene| {
         scene.opened.push(opened);
         scene.selected = scene.opened.len() - 1;
@@ -288,7 +326,7 @@ fn forget_unreachable(state: &mut State) {
     materials.retain(|id, _| reachable.contains(id));
 }
 
-fn notify(state: &mut State, level: Level, text: String) {
+pub(super) fn notify(state: &mut State, level: Level, text: String) {
     let id = state.fresh_id();
     state.notices.push(Notice { id, level, text });
 }

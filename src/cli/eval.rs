@@ -19,7 +19,7 @@ const ADDED: [&str; 3] = ["r", "g", "b"];
 /// Prints the same rows with f_r in 1/sr added as r, g, b: empty below the horizon and where nothing was measured.
 #[derive(clap::Args)]
 pub struct Args {
-    /// MERL file, or JSON file with a model or an array of models
+    /// MERL file, fit file, or JSON file with a model or an array of models
     source: PathBuf,
     /// CSV file with columns theta_i, phi_i, theta_o, phi_o in degrees; - is standard input
     #[arg(long, value_name = "FILE")]
@@ -27,7 +27,7 @@ pub struct Args {
     /// How a value is taken from a measured table
     #[arg(long, default_value = Lookup::default().key(), value_parser = lookup_parser())]
     lookup: Lookup,
-    /// Which model of an array, counted from 0
+    /// Which model of an array or fit file, counted from 0; `grazing info` lists them
     #[arg(long, default_value_t = 0, value_name = "K")]
     index: usize,
     /// Print JSON

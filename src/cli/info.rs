@@ -1,16 +1,17 @@
-//! `grazing info FILE`: what is in a MERL file.
+//! `grazing info FILE`: what is in a MERL file, a fit file or a file with models.
 
 use super::CliError;
 use crate::files;
+use crate::files::fits::Entry;
 use serde_json::json;
 use std::io::Write;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
-/// Say what is in a MERL file: bins, valid cells, range of each channel
+/// Say what is in a file: bins, valid cells and ranges of a MERL file; the models of a fit file
 #[derive(clap::Args)]
 pub struct Args {
-    /// MERL file
+    /// MERL file, fit file or JSON file with models
     file: PathBuf,
     /// Print JSON
     #[arg(long)]
@@ -18,6 +19,9 @@ pub struct Args {
 }
 
 pub fn run(args: &Args, out: &mut dyn Write) -> Result<(), CliError> {
+    if let Some(entries) = files::open_models(&args.file)? {
+        return models(&entries, args.json, out);
+    }
     let table = files::open_table(&args.file, &mut |_| ControlFlow::Continue(()))?;
     let name = files::material_name(&args.file);
     let (bins, cells, valid) = (
@@ -56,6 +60,37 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<(), CliError> {
     for (channel, s) in channels.iter().zip(&stats) {
         let [min, median, max] = [s.min, s.median, s.max].map(six_digits);
         writeln!(out, "{channel:<11}  {min:>12} {median:>12} {max:>12}")?;
+    }
+    Ok(())
+}
+
+/// A row per model; `index` is what `grazing eval --index` takes.
+fn models(entries: &[Entry], as_json: bool, out: &mut dyn Write) -> Result<(), CliError> {
+    if as_json {
+        let row = |(index, entry): (usize, &Entry)| {
+            json!({
+                "index": index, "material": entry.material, "model": entry.brdf.model.key,
+                "fresnel": entry.brdf.fresnel.key(), "error": entry.error,
+            })
+        };
+        let rows: Vec<_> = entries.iter().enumerate().map(row).collect();
+        writeln!(out, "{:#}", json!(rows))?;
+        return Ok(());
+    }
+    let material = |entry: &Entry| entry.material.clone().unwrap_or("–".into());
+    let width = entries.iter().map(|entry| material(entry).chars().count());
+    let width = width.chain([8]).max().unwrap_or(0);
+    writeln!(out, "index  {:width$}  model        fresnel  E", "material")?;
+    for (index, entry) in entries.iter().enumerate() {
+        let error = entry
+            .error
+            .map_or("–".into(), |error| format!("{error:.6}"));
+        let (model, fresnel) = (entry.brdf.model.key, entry.brdf.fresnel.key());
+        let material = material(entry);
+        writeln!(
+            out,
+            "{index:>5}  {material:width$}  {model:11}  {fresnel:7}  {error}"
+        )?;
     }
     Ok(())
 }

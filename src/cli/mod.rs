@@ -4,11 +4,14 @@
 
 mod csv_table;
 mod eval;
+mod fit;
 mod info;
 mod sample;
 
 use crate::files::FileError;
-use clap::{Parser, Subcommand};
+use clap::error::ErrorKind as UsageError;
+use clap::{CommandFactory as _, Parser, Subcommand};
+use std::fmt::Display;
 use std::io::{self, ErrorKind, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -19,7 +22,7 @@ use std::process::ExitCode;
 #[derive(Parser)]
 #[command(name = "grazing", version, args_conflicts_with_subcommands = true)]
 struct Cli {
-    /// MERL files to open in the window
+    /// MERL files, fit files or JSON files with models to open in the window
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
     #[command(subcommand)]
@@ -31,6 +34,7 @@ enum Command {
     Info(info::Args),
     Sample(sample::Args),
     Eval(eval::Args),
+    Fit(Box<fit::Args>),
 }
 
 /// Why a command failed.
@@ -42,6 +46,12 @@ enum CliError {
     Output(#[from] io::Error),
     #[error("{0}")]
     Other(String),
+    /// Options that do not go together, found after reading them one by one; with the command's name.
+    #[error("{1}")]
+    Usage(&'static str, String),
+    /// Said already where it happened.
+    #[error("some files failed")]
+    Reported,
 }
 
 /// The program: reads the command line, works, returns the exit code.
@@ -57,6 +67,7 @@ pub fn main() -> ExitCode {
         Some(Command::Info(args)) => info::run(args, &mut out),
         Some(Command::Sample(args)) => sample::run(args, &mut out),
         Some(Command::Eval(args)) => eval::run(args, &mut out),
+        Some(Command::Fit(args)) => fit::run(args, &mut out),
     };
     finish(result.and_then(|()| Ok(out.flush()?)))
 }
@@ -66,10 +77,24 @@ fn finish(result: Result<(), CliError>) -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         // Whoever reads has had enough (`grazing eval … | head`): no failure.
         Err(CliError::Output(error)) if error.kind() == ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+        Err(CliError::Usage(command, text)) => {
+            let mut cli = Cli::command();
+            cli.build();
+            match cli.find_subcommand_mut(command) {
+                Some(command) => command.error(UsageError::ArgumentConflict, text).exit(),
+                None => cli.error(UsageError::ArgumentConflict, text).exit(),
+            }
+        }
+        Err(CliError::Reported) => ExitCode::FAILURE,
         Err(error) => {
-            // eprintln! would panic where standard error is closed.
-            let _ = writeln!(io::stderr(), "grazing: {error}");
+            report(&error);
             ExitCode::FAILURE
         }
     }
+}
+
+/// One line on standard error.
+fn report(error: &dyn Display) {
+    // eprintln! would panic where standard error is closed.
+    let _ = writeln!(io::stderr(), "grazing: {error}");
 }

@@ -1,21 +1,24 @@
 //! The file system, for the window and the command line alike: opening materials and models, writing whole files.
 //!
-//! May know [`crate::geom`], [`crate::brdf`] and [`crate::measured`]; knows no egui, wgpu or threads.
+//! May know [`crate::geom`], [`crate::brdf`], [`crate::measured`] and [`crate::fit`]; knows no egui, wgpu or threads.
 
 mod error;
+pub mod fits;
 mod write;
 
 pub use error::FileError;
-pub use write::write_atomically;
+pub use fits::SourceFile;
+pub use write::{check_writable, write_atomically};
 
 use crate::brdf::{self, Brdf};
 use crate::geom::Rgb;
 use crate::measured::{Lookup, Table, merl};
 use glam::DVec3;
+use sha2::{Digest as _, Sha256};
 use std::fs::File;
 use std::io::{Read, Seek};
 use std::ops::ControlFlow;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Called with the share that is done, in [0, 1]; may stop the work.
@@ -49,20 +52,49 @@ pub fn open_table(path: &Path, progress: Progress) -> Result<Table, FileError> {
     read_table(file, len, path, progress)
 }
 
+/// Opens a MERL file and says which it is.
+///
+/// # Errors
+/// As [`open_table`].
+pub fn open_measured(path: &Path, progress: Progress) -> Result<(Table, SourceFile), FileError> {
+    let (file, len) = open(path)?;
+    let mut file = Hashing::new(file);
+    let table =
+        merl::read(&mut file, len, progress).map_err(|error| FileError::merl(path, error))?;
+    let source = SourceFile {
+        path: absolute(path).display().to_string(),
+        bytes: Some(len),
+        sha256: Some(file.finish()),
+    };
+    Ok((table, source))
+}
+
+/// The models of a JSON file with what it says around them; `None` if the file is something else.
+///
+/// # Errors
+/// As [`open_table`].
+pub fn open_models(path: &Path) -> Result<Option<Vec<fits::Entry>>, FileError> {
+    let (mut file, _) = open(path)?;
+    let Some(text) = json_text(&mut file, path)? else {
+        return Ok(None);
+    };
+    let entries = fits::entries(&text).map_err(|what| FileError::new(path, what))?;
+    Ok(Some(entries))
+}
+
+/// The path from the root on, links as they are; as it is where the current directory is gone.
+pub fn absolute(path: &Path) -> PathBuf {
+    std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
+}
+
 /// Opens a MERL file, or the model at `index` (from 0) of a JSON file. Which of them it is, the content says.
 ///
 /// # Errors
 /// As [`open_table`].
 pub fn open_source(path: &Path, index: usize, progress: Progress) -> Result<Source, FileError> {
     let (mut file, len) = open(path)?;
-    let io = |error| FileError::io(path, "reading failed", &error);
-    if starts_as_json(&mut file).map_err(io)? {
-        let mut bytes = Vec::new();
-        file.read_to_end(&mut bytes).map_err(io)?;
-        let text = std::str::from_utf8(&bytes)
-            .map_err(|_| FileError::new(path, "not valid JSON: it is no UTF-8 text"))?;
-        let text = text.trim_start_matches('\u{feff}');
-        let brdf = brdf::json::from_text(text, index)
+    if let Some(text) = json_text(&mut file, path)? {
+        let brdf = brdf::json::from_text(&text, index)
             .map_err(|error| FileError::new(path, error.to_string()))?;
         return Ok(Source::Brdf(brdf));
     }
@@ -100,6 +132,48 @@ fn open(path: &Path) -> Result<(File, u64), FileError> {
 
 fn read_table(file: File, len: u64, path: &Path, progress: Progress) -> Result<Table, FileError> {
     merl::read(file, len, progress).map_err(|error| FileError::merl(path, error))
+}
+
+/// The text of a JSON file; `None` if it is something else.
+fn json_text(file: &mut File, path: &Path) -> Result<Option<String>, FileError> {
+    let io = |error| FileError::io(path, "reading failed", &error);
+    if !starts_as_json(file).map_err(io)? {
+        return Ok(None);
+    }
+    let mut bytes = Vec::new();
+    file.read_to_end(&mut bytes).map_err(io)?;
+    let text = String::from_utf8(bytes)
+        .map_err(|_| FileError::new(path, "not valid JSON: it is no UTF-8 text"))?;
+    Ok(Some(text.trim_start_matches('\u{feff}').to_owned()))
+}
+
+/// A reader that hashes what goes through it.
+struct Hashing {
+    file: File,
+    hasher: Sha256,
+}
+
+impl Hashing {
+    fn new(file: File) -> Self {
+        Self {
+            file,
+            hasher: Sha256::new(),
+        }
+    }
+
+    /// SHA-256 of all that was read, in hexadecimal.
+    fn finish(self) -> String {
+        let digest = self.hasher.finalize();
+        digest.iter().map(|byte| format!("{byte:02x}")).collect()
+    }
+}
+
+impl Read for Hashing {
+    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        let count = self.file.read(buffer)?;
+        self.hasher.update(&buffer[..count]);
+        Ok(count)
+    }
 }
 
 /// Whether the first byte that is no blank opens a JSON object or array. Leaves the file at its start.

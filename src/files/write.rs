@@ -3,7 +3,8 @@
 use super::FileError;
 use std::fs;
 use std::io::{self, BufWriter, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
 
 /// Writes a file beside its place and moves it there when it is complete: nobody sees half a file, and what was there
 /// before is kept when anything fails. An existing file is refused unless `force`.
@@ -16,43 +17,7 @@ pub fn write_atomically(
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), FileError> {
     let failed = |error: &io::Error| FileError::io(path, "cannot write the file", error);
-    let exists = || FileError::new(path, "the file exists already; --force replaces it");
-    // A link stays one: its target is replaced.
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    let before = fs::metadata(&target).ok();
-    if let Some(before) = &before {
-        if before.is_dir() {
-            return Err(FileError::new(path, "this is a directory; expected a file"));
-        }
-        if !before.is_file() {
-            return Err(FileError::new(
-                path,
-                "this is a device or a pipe; expected a regular file",
-            ));
-        }
-        if !force {
-            return Err(exists());
-        }
-    }
-    let folder = match target.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".grazing-");
-    // Otherwise a temporary file is for its owner only.
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt as _;
-        builder.permissions(fs::Permissions::from_mode(0o666));
-    }
-    let mut file = builder.tempfile_in(folder).map_err(|error| {
-        if folder.is_dir() {
-            failed(&error)
-        } else {
-            FileError::new(path, "there is no directory for the file; make it first")
-        }
-    })?;
+    let (target, before, mut file) = prepare(path, force)?;
     let mut buffered = BufWriter::new(file.as_file_mut());
     write(&mut buffered)
         .and_then(|()| buffered.flush())
@@ -70,10 +35,66 @@ pub fn write_atomically(
         file.persist_noclobber(&target)
     }
     .map_err(|error| match error.error.kind() {
-        io::ErrorKind::AlreadyExists => exists(),
+        io::ErrorKind::AlreadyExists => exists(path),
         _ => failed(&error.error),
     })?;
     Ok(())
+}
+
+/// Whether [`write_atomically`] would begin, as far as one can know without writing: said before long work.
+///
+/// # Errors
+/// Those of [`write_atomically`].
+pub fn check_writable(path: &Path, force: bool) -> Result<(), FileError> {
+    prepare(path, force).map(|_| ())
+}
+
+fn exists(path: &Path) -> FileError {
+    FileError::new(path, "the file exists already; --force replaces it")
+}
+
+/// The place that is written to, what is there, and an empty file beside it that is gone when dropped.
+fn prepare(
+    path: &Path,
+    force: bool,
+) -> Result<(PathBuf, Option<fs::Metadata>, NamedTempFile), FileError> {
+    // A link stays one: its target is replaced.
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let before = fs::metadata(&target).ok();
+    if let Some(before) = &before {
+        if before.is_dir() {
+            return Err(FileError::new(path, "this is a directory; expected a file"));
+        }
+        if !before.is_file() {
+            return Err(FileError::new(
+                path,
+                "this is a device or a pipe; expected a regular file",
+            ));
+        }
+        if !force {
+            return Err(exists(path));
+        }
+    }
+    let folder = match target.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".grazing-");
+    // Otherwise a temporary file is for its owner only.
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt as _;
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    let file = builder.tempfile_in(folder).map_err(|error| {
+        if folder.is_dir() {
+            FileError::io(path, "cannot write the file", &error)
+        } else {
+            FileError::new(path, "there is no directory for the file; make it first")
+        }
+    })?;
+    Ok((target, before, file))
 }
 
 #[cfg(test)]
@@ -115,6 +136,8 @@ mod tests {
         assert_eq!(fs::read(&path).expect("is there"), b"first");
         write_atomically(&path, true, |w| w.write_all(b"third")).expect("is forced");
         assert_eq!(fs::read(&path).expect("is there"), b"third");
+        assert!(check_writable(&path, false).is_err() && check_writable(&path, true).is_ok());
+        assert_eq!(fs::read(&path).expect("is there"), b"third");
         assert_eq!(names(folder.path()), ["out.csv"], "nothing is left behind");
     }
 
@@ -126,5 +149,7 @@ mod tests {
             .expect_err("fails")
             .to_string();
         assert!(said.contains("no directory") && said.ends_with("out.csv"));
+        let early = check_writable(&path, false).expect_err("fails");
+        assert_eq!(early.to_string(), said);
     }
 }

@@ -2,6 +2,7 @@
 
 use super::grid::Grid;
 use crate::geom::Rgb;
+use std::sync::{Arc, LazyLock};
 
 /// f_r of every cell of a [`Grid`], with its validity. Immutable; share it by `Arc`.
 #[derive(Clone, Debug)]
@@ -35,6 +36,15 @@ impl Table {
             }
         }
         Self { grid, cells, valid }
+    }
+
+    /// A table where nothing was measured, for a model without data. All share one.
+    pub fn unmeasured() -> Arc<Self> {
+        static UNMEASURED: LazyLock<Arc<Table>> = LazyLock::new(|| {
+            let grid = Grid::FOLDED;
+            Arc::new(Table::new(grid, vec![[f32::NAN; 3]; grid.len()]))
+        });
+        Arc::clone(&UNMEASURED)
     }
 
     /// Its shape.

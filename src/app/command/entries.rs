@@ -29,7 +29,7 @@ pub(super) fn entries() -> Vec<Entry> {
         Command::Open,
         "Open…",
         Some((CTRL, Key::O)),
-        "Open MERL files",
+        "Open MERL files, fit files or models",
     );
     add(
         "File",

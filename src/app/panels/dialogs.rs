@@ -86,7 +86,7 @@ fn open_path_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     ui.add_space(4.0);
     let mut text = state.typed.clone();
     let edit = egui::TextEdit::singleline(&mut text)
-        .hint_text("Path of a MERL file")
+        .hint_text("Path of a MERL or fit file")
         .desired_width(f32::INFINITY);
     let edit = ui.add(edit);
     edit.request_focus();

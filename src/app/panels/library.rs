@@ -29,7 +29,9 @@ pub fn library_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
                 material_ui(ui, state, index, out);
             }
             if state.scene.opened.is_empty() && state.jobs.is_empty() {
-                ui.weak("Nothing is open. Open a MERL file, drop files here, or take a sample.");
+                ui.weak(
+                    "Nothing is open. Open a MERL or fit file, drop files here, or take a sample.",
+                );
             }
             ui.add_space(12.0);
             ui.weak("Samples");

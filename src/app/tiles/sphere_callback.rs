@@ -113,9 +113,12 @@ impl CallbackTrait for SphereCallback {
         };
         tables.retain(|id, _| self.open.contains(id));
         slots.retain(|(id, _), _| self.open.contains(id));
-        let table = tables
-            .entry(self.key.0)
-            .or_insert_with(|| TableTexture::upload(device, queue, &self.table));
+        let table = tables.entry(self.key.0).or_insert_with(|| {
+            if self.table.valid_count() == 0 {
+                return TableTexture::empty(device, queue);
+            }
+            TableTexture::upload(device, queue, &self.table)
+        });
         slots
             .entry(self.key)
             .or_insert_with(|| pass.slot(device, table))

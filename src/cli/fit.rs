@@ -1,0 +1,263 @@
+//! `grazing fit FILE…`: parameters of models from measured files.
+
+mod parse;
+mod progress;
+
+use super::CliError;
+use crate::brdf::fresnel::FRESNELS;
+use crate::brdf::{Fresnel, MODELS, Model, params};
+use crate::files::fits::{FitRecord, write_csv, write_json};
+use crate::files::{self, FileError, write_atomically};
+use crate::fit::{Options, Partial, Problem, Variant, WEIGHTS, Weight, fit_all};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser as _};
+use progress::Bar;
+use std::io::Write;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+const EXAMPLES: &str = "\
+Examples:
+  grazing fit teflon.binary
+          The combined model with Fresnel; the result is printed as JSON
+  grazing fit *.binary --model all --fresnel all -o fits.json --csv fits.csv
+          Nine fits of each material; `grazing fits.json` shows them in the window
+  grazing fit nickel.binary --limit 80 --stages 1,2,3 --start s=200,alpha=0.5,eta=1.5
+          The published staged fit from a start of your own, without what is beyond 80°
+  grazing fit nickel.binary --hold eta=1.5,rho_d=0
+          With the index of refraction known and no diffuse part";
+
+/// Fit models to measured materials
+///
+/// Looks for the parameters of a model that come nearest to each file: those with the smallest error
+/// E = Σ w |model − measured| / Σ w measured over all measured cells and R, G, B. With the default weight E is the
+/// share of the reflected energy that the model puts in the wrong place, under light from everywhere.
+///
+/// The result is a JSON array with an object per fit, described in the README. A file that cannot be used is reported
+/// in one line and the others go on; the exit code is then 1. Where standard error is a terminal, a bar shows how far
+/// it is. Ctrl+C ends it, and then nothing is written.
+#[derive(clap::Args)]
+#[command(after_long_help = EXAMPLES)]
+pub struct Args {
+    /// MERL files, fitted one after the other
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// Which model; all fits each
+    #[arg(long, default_value = "combined", value_parser = keys(MODELS.map(|model| model.key)))]
+    model: String,
+    /// Which Fresnel reflectance multiplies the specular term; all fits with each
+    #[arg(long, default_value = "exact", value_parser = keys(FRESNELS.map(Fresnel::key)))]
+    fresnel: String,
+    /// How much a cell counts
+    #[arg(long, default_value = Weight::default().key(), value_parser = weight_parser())]
+    weight: Weight,
+    /// Leave out cells where the light or the viewer is more than this from the normal, in degrees: above 0, at most 90
+    #[arg(long, value_name = "DEG", default_value = "90", value_parser = parse::limit, allow_hyphen_values = true)]
+    limit: f64,
+    /// Which stages are run, always in this order
+    ///
+    /// 1: rho_d and k_s, exactly. 2: s, alpha and eta. 3: s, alpha, eta and k_s. 4: all parameters together, from
+    /// several starts. The first three are the staged fit of Nielsen et al. (2014); the fourth is never worse.
+    #[arg(long, default_value = "1,2,3,4", value_name = "NUMBERS", value_parser = parse::stages, allow_hyphen_values = true)]
+    stages: [bool; 4],
+    /// Where the stages begin, instead of at what the data say: s=30,alpha=0.5,eta=1.5
+    ///
+    /// Any of rho_d, k_s, s, alpha, eta; a colour is one number or three: k_s=1:2:3. Models without a parameter do
+    /// without its value. Stage 4 tries the starts from the data too.
+    #[arg(long, value_name = "KEY=VALUE,…", value_parser = parse::values)]
+    start: Option<Partial>,
+    /// Hold parameters at these values: eta=1.5,rho_d=0.1:0.2:0.3
+    ///
+    /// Written as for --start.
+    #[arg(long, value_name = "KEY=VALUE,…", value_parser = parse::values)]
+    hold: Option<Partial>,
+    /// Write the JSON to a file
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Write a CSV file, a row per fit; then JSON is written only with -o
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Replace output files that exist
+    #[arg(long)]
+    force: bool,
+    /// How many threads; as many as the machine has where not given. The result does not depend on it
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+}
+
+const ALL: &str = "all";
+
+fn keys(keys: [&'static str; 3]) -> PossibleValuesParser {
+    PossibleValuesParser::new(keys.into_iter().chain([ALL]))
+}
+
+fn weight_parser() -> impl clap::builder::TypedValueParser<Value = Weight> {
+    PossibleValuesParser::new(WEIGHTS.map(|w| PossibleValue::new(w.key()).help(w.help())))
+        .map(|key| Weight::by_key(&key).unwrap_or_default())
+}
+
+pub fn run(args: &Args, out: &mut dyn Write) -> Result<(), CliError> {
+    let variants = args.variants();
+    args.check(&variants)?;
+    // Said now and not after hours.
+    for path in args.outputs() {
+        files::check_writable(path, args.force)?;
+    }
+    let fit = || fit_files(args, &variants);
+    let (fits, all_good) = match args.threads {
+        None => fit(),
+        Some(threads) => rayon::ThreadPoolBuilder::new()
+            .num_threads(threads.into())
+            .build()
+            .map_err(|error| CliError::Other(format!("cannot start {threads} threads: {error}")))?
+            .install(fit),
+    };
+    if fits.is_empty() {
+        return Err(CliError::Reported);
+    }
+    let mut written = Ok(());
+    if let Some(path) = &args.output {
+        written = write_atomically(path, args.force, |file| write_json(&fits, file));
+    }
+    if let Some(path) = &args.csv {
+        // Also where the other failed: there were hours in it.
+        let csv = write_atomically(path, args.force, |file| write_csv(&fits, file));
+        written = written.and(csv);
+    }
+    written?;
+    if args.outputs().next().is_none() {
+        write_json(&fits, out)?;
+    }
+    if all_good {
+        Ok(())
+    } else {
+        out.flush()?;
+        Err(CliError::Reported)
+    }
+}
+
+impl Args {
+    fn outputs(&self) -> impl Iterator<Item = &PathBuf> {
+        self.output.iter().chain(&self.csv)
+    }
+
+    /// The chosen models, each with the chosen Fresnel factors.
+    fn variants(&self) -> Vec<Variant> {
+        let is = |choice: &str, key| choice == ALL || choice == key;
+        let fresnels = || {
+            FRESNELS
+                .into_iter()
+                .filter(|fresnel| is(&self.fresnel, fresnel.key()))
+        };
+        let of = |model: &'static Model| fresnels().map(move |fresnel| Variant { model, fresnel });
+        MODELS
+            .into_iter()
+            .filter(|model| is(&self.model, model.key))
+            .flat_map(of)
+            .collect()
+    }
+
+    fn options(&self) -> Options {
+        Options {
+            stages: self.stages,
+            start: self.start.unwrap_or_default(),
+            held: self.hold.unwrap_or_default(),
+            ..Options::default()
+        }
+    }
+
+    /// What is wrong with the options taken together.
+    fn check(&self, variants: &[Variant]) -> Result<(), CliError> {
+        let usage = |text: String| Err(CliError::Usage("fit", text));
+        let Options { start, held, .. } = self.options();
+        for row in &params::ALL {
+            let (starts, held) = (start.has(row.id), held.has(row.id));
+            if starts && held {
+                return usage(format!(
+                    "{} is given in --start and in --hold; give it once",
+                    row.key
+                ));
+            }
+            let uses = |variant: &Variant| variant.with(Default::default()).uses(row.id);
+            if (starts || held) && !variants.iter().any(uses) {
+                let option = if starts { "--start" } else { "--hold" };
+                return usage(format!(
+                    "{option}: the chosen model has no {}; leave it out",
+                    row.key
+                ));
+            }
+        }
+        if let (Some(output), Some(csv)) = (&self.output, &self.csv)
+            && place(output) == place(csv)
+        {
+            return usage("-o and --csv name the same file; expected two".into());
+        }
+        for path in self.outputs() {
+            if self.files.iter().any(|file| place(file) == place(path)) {
+                let path = path.display();
+                return usage(format!("the output would replace a measured file: {path}"));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The same for two paths that lead to the same file, also where it is not there yet.
+fn place(path: &Path) -> PathBuf {
+    let path = files::absolute(path);
+    if let Ok(place) = path.canonicalize() {
+        return place;
+    }
+    match (
+        path.parent().and_then(|folder| folder.canonicalize().ok()),
+        path.file_name(),
+    ) {
+        (Some(folder), Some(name)) => folder.join(name),
+        _ => path,
+    }
+}
+
+/// The fits of all files in their order, and whether every file was good. Says at once which is not.
+fn fit_files(args: &Args, variants: &[Variant]) -> (Vec<FitRecord>, bool) {
+    let mut bar = Bar::new(args.files.len(), variants);
+    let (mut fits, mut all_good) = (Vec::new(), true);
+    for (index, path) in args.files.iter().enumerate() {
+        bar.file(index, path);
+        match fit_file(path, args, variants, &mut bar) {
+            Ok(more) => fits.extend(more),
+            Err(error) => {
+                all_good = false;
+                bar.suspend(|| super::report(&error));
+            }
+        }
+    }
+    bar.finish();
+    (fits, all_good)
+}
+
+fn fit_file(
+    path: &Path,
+    args: &Args,
+    variants: &[Variant],
+    bar: &mut Bar,
+) -> Result<Vec<FitRecord>, FileError> {
+    let (table, source) = files::open_measured(path, &mut |_| ControlFlow::Continue(()))?;
+    let problem = Problem::new(&table, args.weight, args.limit.to_radians())
+        .map_err(|error| FileError::new(path, error.to_string()))?;
+    // The problem has all it needs.
+    drop(table);
+    let options = args.options();
+    let outcomes = fit_all(&problem, variants, &options, &mut |position, progress| {
+        bar.progress(position, progress);
+        ControlFlow::Continue(())
+    });
+    let record = |outcome| {
+        FitRecord::new(
+            files::material_name(path),
+            Some(source.clone()),
+            (args.weight, args.limit),
+            &options,
+            outcome,
+        )
+    };
+    Ok(outcomes.iter().map(record).collect())
+}

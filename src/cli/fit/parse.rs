@@ -1,0 +1,99 @@
+//! The values of the options of `grazing fit`: each function says in one line what is wrong and what was expected.
+
+use crate::brdf::{Param, Params, params};
+use crate::fit::{Partial, Stage};
+
+/// A grazing limit in degrees.
+pub fn limit(text: &str) -> Result<f64, String> {
+    let degrees: Option<f64> = text.trim().parse().ok();
+    match degrees {
+        Some(degrees) if degrees > 0.0 && degrees <= 90.0 => Ok(degrees),
+        Some(degrees) if !degrees.is_nan() => {
+            Err("out of range; expected more than 0 and at most 90 degrees".into())
+        }
+        _ => Err("not a number; expected degrees, more than 0 and at most 90".into()),
+    }
+}
+
+/// Numbers of stages with commas between them.
+pub fn stages(text: &str) -> Result<[bool; 4], String> {
+    let mut stages = [false; 4];
+    if text.trim().is_empty() {
+        return Err("no stage is given; expected some of 1,2,3,4".into());
+    }
+    for part in text.split(',') {
+        let stage = part.trim().parse().ok().and_then(Stage::by_number);
+        let Some(stage) = stage else {
+            return Err(format!("{part:?} is no stage; expected some of 1,2,3,4"));
+        };
+        let run = &mut stages[stage.number() - 1];
+        if *run {
+            return Err(format!(
+                "stage {} is given twice; expected each at most once",
+                stage.number()
+            ));
+        }
+        *run = true;
+    }
+    Ok(stages)
+}
+
+/// Parameters with values: `s=30,k_s=1:2:3`.
+pub fn values(text: &str) -> Result<Partial, String> {
+    let (mut found, mut params) = (Partial::default(), Params::default());
+    let all = || params::ALL.map(|row| row.key).join(", ");
+    for part in text.split(',') {
+        let Some((key, value)) = part.split_once('=') else {
+            return Err(format!(
+                "{part:?} has no value; expected KEY=VALUE with a key of {}",
+                all()
+            ));
+        };
+        let key = key.trim();
+        let Some(row) = params::ALL.iter().find(|row| row.key == key) else {
+            return Err(format!(
+                "there is no parameter {key:?}; expected one of {}",
+                all()
+            ));
+        };
+        if found.has(row.id) {
+            return Err(format!("{key} is given twice; give it once"));
+        }
+        let numbers = numbers(row, value)?;
+        let to = params.get_mut(row.id);
+        match numbers[..] {
+            [one] => to.fill(one),
+            _ => to.copy_from_slice(&numbers),
+        }
+        found.set(row.id, &params);
+    }
+    Ok(found)
+}
+
+/// One number, or three with colons between them for a colour.
+fn numbers(row: &Param, text: &str) -> Result<Vec<f64>, String> {
+    let key = row.key;
+    let (low, high) = row.domain;
+    let parts: Vec<&str> = text.split(':').collect();
+    if parts.len() != 1 && !(row.id.is_color() && parts.len() == 3) {
+        let expected = if row.id.is_color() {
+            "one number or three: R:G:B"
+        } else {
+            "one number"
+        };
+        return Err(format!(
+            "{key} has {} values; expected {expected}",
+            parts.len()
+        ));
+    }
+    let number = |part: &str| match part.trim().parse::<f64>() {
+        Ok(number) if row.accepts(number) => Ok(number),
+        Ok(number) if !number.is_nan() => Err(format!(
+            "{key} = {number} is out of range; expected {low} to {high}"
+        )),
+        _ => Err(format!(
+            "{key}: {part:?} is no number; expected {low} to {high}"
+        )),
+    };
+    parts.into_iter().map(number).collect()
+}

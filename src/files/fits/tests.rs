@@ -1,0 +1,182 @@
+use super::*;
+use crate::brdf::{Fresnel, MODELS};
+use crate::fit::{Partial, STAGES};
+
+fn record(model: usize, fresnel: Fresnel) -> FitRecord {
+    let brdf = Brdf {
+        model: MODELS[model],
+        fresnel,
+        params: Params {
+            rho_d: [0.1 + 0.2, 1.0 / 3.0, 0.0],
+            k_s: [1e-7, 12.5, 1e9 / 7.0],
+            s: 100.0 / 3.0,
+            alpha: 0.7,
+            eta: 1.1,
+        },
+    };
+    let mut options = Options {
+        start: Partial {
+            s: Some(30.0),
+            alpha: Some(0.25),
+            ..Partial::default()
+        },
+        held: Partial {
+            rho_d: Some([0.1, 0.2, 0.3]),
+            ..Partial::default()
+        },
+        ..Options::default()
+    };
+    options.stages[1] = false;
+    options.bounds[2] = Some((1.0, 500.0));
+    FitRecord {
+        material: "half \"brass\", β".into(),
+        source: Some(SourceFile {
+            path: "/data/half brass.binary".into(),
+            bytes: Some(34_992_012),
+            sha256: Some("ab".repeat(32)),
+        }),
+        version: "0.0.9".into(),
+        weight: Weight::SolidAngle,
+        limit_deg: 80.1,
+        options,
+        brdf,
+        errors: Errors {
+            total: 0.1234567890123456,
+            grazing: None,
+            channels: [0.1, f64::NAN, 0.3],
+        },
+        stages: STAGES
+            .into_iter()
+            .map(|stage| StageRecord {
+                stage,
+                start_error: 0.5,
+                error: 0.5 / stage.number() as f64,
+                evaluations: 7,
+                params: brdf.params,
+            })
+            .collect(),
+        albedo: [[0.1, 0.2, 0.3], [0.4, 0.5, 0.6], [0.7, 1.1, 0.9]],
+        evaluations: 28,
+        ended: Ended::Limit,
+        concerns: vec!["s ended at its bound 500; the best may lie beyond.".into()],
+    }
+}
+
+fn json_of(fits: &[FitRecord]) -> String {
+    let mut bytes = Vec::new();
+    write_json(fits, &mut bytes).expect("memory takes it");
+    String::from_utf8(bytes).expect("UTF-8")
+}
+
+#[test]
+fn what_is_written_is_read_back_bit_by_bit() {
+    for fresnel in crate::brdf::fresnel::FRESNELS {
+        for model in 0..MODELS.len() {
+            let written = record(model, fresnel);
+            let text = json_of(std::slice::from_ref(&written));
+            let mut read = entries(&text).expect("is read");
+            assert_eq!(read.len(), 1);
+            let entry = read.remove(0);
+            assert_eq!(entry.material.as_ref(), Some(&written.material));
+            assert_eq!(entry.source, written.source);
+            assert_eq!(entry.error, Some(written.errors.total));
+            let mut fit = entry.fit.expect("is a fit");
+            assert_eq!(json_of(&[fit.clone()]), text);
+            assert!(fit.errors.channels[1].is_nan());
+            fit.errors.channels[1] = 0.0;
+            let mut expected = written.clone();
+            expected.errors.channels[1] = 0.0;
+            // What the model lacks is not kept.
+            if model != 2 {
+                expected.brdf.params.alpha = Params::default().alpha;
+                expected.options.start.alpha = None;
+            }
+            if fresnel == Fresnel::None {
+                expected.brdf.params.eta = Params::default().eta;
+            }
+            for stage in &mut expected.stages {
+                stage.params = expected.brdf.params;
+            }
+            assert_eq!(fit, expected);
+            // A planted change is seen.
+            expected.limit_deg = 80.10000000000001;
+            assert_ne!(fit, expected);
+        }
+    }
+}
+
+#[test]
+fn a_plain_model_is_no_fit_and_a_bad_entry_is_named() {
+    let plain =
+        r#"{"model": "phong", "rho_d": [1, 0, 0], "k_s": [1, 2, 4], "s": 3, "source": "a paper"}"#;
+    let read = entries(plain).expect("is read");
+    let [entry] = &read[..] else {
+        panic!("{read:?}")
+    };
+    assert_eq!(
+        (&entry.fit, &entry.source, entry.error),
+        (&None, &None, None)
+    );
+    let said = |text: &str| entries(text).expect_err("is bad");
+    assert!(said(&format!("[{plain}, {{}}]")).starts_with("entry 1: \"model\" is missing"));
+    assert!(said("[]").contains("empty"));
+    assert!(said("[{\"model\"").starts_with("not valid JSON"));
+    assert!(said("[3]").starts_with("entry 0: expected a JSON object"));
+    // A fit that lacks a key is a model all the same.
+    let text = json_of(&[record(2, Fresnel::Exact)]).replace("\"evaluations\":28,", "");
+    let read = entries(&text).expect("is read");
+    assert!(read[0].fit.is_none() && read[0].source.is_some());
+}
+
+#[test]
+fn fits_of_one_material_are_together_the_best_first() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let here = folder.path().join("gold.binary");
+    std::fs::write(&here, "x").expect("is written");
+    let fit = |path: &str, sha256: &str, error: f64| {
+        let mut fit = record(0, Fresnel::None);
+        fit.source = Some(SourceFile {
+            path: path.into(),
+            bytes: None,
+            sha256: Some(sha256.into()),
+        });
+        fit.errors.total = error;
+        fit
+    };
+    let text = json_of(&[
+        fit("/gone/gold.binary", "a", 0.3),
+        fit("C:\\far\\silver.binary", "b", 0.2),
+        fit("/gone/gold.binary", "a", 0.1),
+        fit("/copied/gold2.binary", "A", 0.2),
+        fit("gold.binary", "c", 0.2),
+    ]);
+    let plain = r#"{"model": "phong", "rho_d": [1, 0, 0], "k_s": [1, 2, 4], "s": 3}"#;
+    let text = text.replace("\n]", &format!(",{plain},{plain}]"));
+    let all = by_material(
+        &folder.path().join("fits.json"),
+        entries(&text).expect("is read"),
+    );
+    let errors: Vec<Vec<Option<f64>>> = all
+        .iter()
+        .map(|fits| fits.entries.iter().map(|entry| entry.error).collect())
+        .collect();
+    assert_eq!(
+        errors,
+        [
+            vec![Some(0.1), Some(0.2), Some(0.3)],
+            vec![Some(0.2)],
+            vec![Some(0.2)],
+            vec![None],
+            vec![None]
+        ]
+    );
+    // Moved: it is found beside the file. A relative path counts from the file too.
+    assert_eq!(all[0].found.as_ref(), Some(&here));
+    assert_eq!(all[2].found.as_ref(), Some(&here));
+    assert!(all[1].found.is_none());
+    assert!(all[1].places[1].ends_with("silver.binary"));
+    assert_eq!(
+        (all[3].name.as_str(), all[4].name.as_str()),
+        ("fits 5", "fits 6")
+    );
+}
