@@ -33,10 +33,12 @@ pub fn model_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
             ui.add_space(6.0);
             formula_ui(ui, brdf);
             ui.add_space(6.0);
+            optimal_ui(ui, state, out);
             for row in &params::ALL {
                 // The model's own row where it has one: ranges differ. The rest is shown greyed.
                 let row = brdf.model.param(row.id).unwrap_or(row);
-                ui.add_enabled_ui(brdf.uses(row.id), |ui| {
+                let follows = state.fit.keep_optimal && row.id.is_color();
+                ui.add_enabled_ui(brdf.uses(row.id) && !follows, |ui| {
                     param_ui(ui, &state.scene, brdf, row, out);
                 });
                 ui.add_space(4.0);
@@ -84,6 +86,21 @@ fn choices_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
             }
         });
     }
+}
+
+fn optimal_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+    let command = Command::ToggleKeepOptimal;
+    let mut on = state.fit.keep_optimal;
+    let tick = super::fit::tick_ui(
+        ui,
+        &mut on,
+        "keep ρ_{d}, k_{s} optimal",
+        "keep rho_d, k_s optimal",
+    );
+    if tick.on_hover_text(command.hint(ui.ctx())).changed() {
+        out.push(Msg::Run(command));
+    }
+    ui.add_space(4.0);
 }
 
 fn formula_ui(ui: &mut egui::Ui, brdf: &Brdf) {
@@ -207,7 +224,7 @@ fn slider_ui(ui: &mut egui::Ui, row: &Param, value: &mut f64) -> egui::Response 
 }
 
 /// Three significant digits, four where they are free; short enough for [`NUMBER_BOX`].
-fn plain_number(value: f64) -> String {
+pub(super) fn plain_number(value: f64) -> String {
     if value == 0.0 {
         return "0".into();
     }
