@@ -171,6 +171,15 @@ pub enum SortBy {
     Grazing,
 }
 
+/// A variant in few words, where room is short.
+pub fn short_variant_name(variant: Variant) -> String {
+    let model = variant.model.name;
+    match variant.fresnel {
+        Fresnel::None => model.to_string(),
+        fresnel => format!("{model}, {}", fresnel.key()),
+    }
+}
+
 /// A variant in words.
 pub fn variant_name(variant: Variant) -> String {
     let model = variant.model.name;

@@ -25,7 +25,7 @@ mod run;
 pub(super) mod steps;
 pub(super) mod work;
 
-pub use kept::{KeptFit, Settings, Setup, SortBy, variant_name};
+pub use kept::{KeptFit, Settings, Setup, SortBy, short_variant_name, variant_name};
 pub use run::{Part, Run, stage_words};
 
 use super::state::{CancelFlag, MaterialId, State};

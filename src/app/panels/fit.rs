@@ -17,6 +17,8 @@ const LIMIT_DEG: std::ops::RangeInclusive<f64> = 20.0..=90.0;
 
 /// Draws the panel.
 pub fn fit_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+    // A panel is as high as what is in it: before anything is open, too.
+    ui.set_min_height(ui.available_height());
     ui.add_space(4.0);
     head_ui(ui, state, out);
     let Some((_, opened)) = state.current() else {
@@ -31,8 +33,9 @@ pub fn fit_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
             let before = &state.fit.settings;
             let mut settings = before.clone();
             weight_ui(ui, &mut settings);
-            free_ui(ui, &mut settings, &opened.brdf);
-            more_ui(ui, &mut settings, &opened.brdf);
+            if free_ui(ui, &mut settings, &opened.brdf) {
+                more_ui(ui, &mut settings, &opened.brdf);
+            }
             ui.add_space(2.0);
             fit_result::stages_ui(ui, state, &mut settings);
             fit_result::result_ui(ui, state, out);
@@ -104,12 +107,14 @@ fn weight_ui(ui: &mut egui::Ui, settings: &mut Settings) {
     });
 }
 
-/// A tick per parameter.
-fn free_ui(ui: &mut egui::Ui, settings: &mut Settings, brdf: &Brdf) {
-    ui.horizontal(|ui| {
+/// A tick per parameter; returns whether start and bounds are to be shown.
+fn free_ui(ui: &mut egui::Ui, settings: &mut Settings, brdf: &Brdf) -> bool {
+    let id = egui::Id::unique("start and bounds");
+    let mut open = ui.data(|data| data.get_temp(id)).unwrap_or(false);
+    ui.horizontal_wrapped(|ui| {
         ui.label("Free")
             .on_hover_text("What the fit may move. The rest keeps the value of its slider.");
-        ui.spacing_mut().item_spacing.x = 4.0;
+        ui.spacing_mut().item_spacing.x = 10.0;
         for (row, held) in ALL.iter().zip(&mut settings.held) {
             ui.add_enabled_ui(brdf.uses(row.id), |ui| {
                 let mut free = !*held;
@@ -120,7 +125,13 @@ fn free_ui(ui: &mut egui::Ui, settings: &mut Settings, brdf: &Brdf) {
                 }
             });
         }
+        let more = ui.selectable_label(open, "More");
+        if more.on_hover_text("Start and bounds").clicked() {
+            open = !open;
+            ui.data_mut(|data| data.insert_temp(id, open));
+        }
     });
+    open
 }
 
 /// A check box with a marked-up label, named for screen readers and tests.
@@ -139,14 +150,18 @@ pub fn tick_ui(ui: &mut egui::Ui, on: &mut bool, markup: &str, name: &str) -> eg
 
 /// What is seldom changed: where the fit begins, and bounds.
 fn more_ui(ui: &mut egui::Ui, settings: &mut Settings, brdf: &Brdf) {
-    let header = egui::CollapsingHeader::new("Start and bounds").id_salt("bounds");
-    header.show(ui, |ui| {
+    egui::Frame::group(ui.style()).show(ui, |ui| {
+        ui.set_width(ui.available_width());
         ui.checkbox(&mut settings.from_sliders, "Start from sliders")
             .on_hover_text(Command::ToggleFromSliders.hint(ui.ctx()));
         egui::Grid::new("bounds")
             .num_columns(4)
             .spacing([8.0, 3.0])
             .show(ui, |ui| {
+                ui.weak("");
+                ui.weak("least");
+                ui.weak("most");
+                ui.end_row();
                 for (index, row) in ALL.iter().enumerate() {
                     if !row.id.is_color() {
                         // The model's own row where it has one: ranges differ.

@@ -9,6 +9,9 @@ use crate::figure::text::RichText;
 use crate::fit::Weight;
 use crate::fit::outcome::ALBEDO_ANGLES;
 
+/// Marks an albedo.
+const ABOVE_ONE: &str = "   > 1";
+
 /// E in percent with two decimals, as markup.
 pub fn hundredths(error: f64) -> String {
     if error.is_nan() {
@@ -52,17 +55,21 @@ pub fn details_ui(ui: &mut egui::Ui, state: &State, kept: &KeptFit) {
         let values: Vec<String> = brdf.params.get(row.id).iter().map(|x| number(*x)).collect();
         lines.push((row.symbol.into(), values.join("   ")));
     }
-    for (angle, albedo) in ALBEDO_ANGLES.into_iter().zip(outcome.albedo) {
-        let above = albedo.iter().any(|share| *share > 1.0);
-        let mark = if above { "   > 1" } else { "" };
-        let values = albedo.map(|share| format!("{share:.3}")).join("   ");
-        lines.push((format!("albedo at {angle:.0}°"), values + mark));
-    }
+    // Of the brightest channel: the one that may exceed 1.
+    let highest = outcome
+        .albedo
+        .map(|albedo| albedo.into_iter().fold(0.0, f64::max));
+    let angles = ALBEDO_ANGLES.map(|angle| format!("{angle:.0}°")).join(", ");
+    let mark = if outcome.exceeds_one() { ABOVE_ONE } else { "" };
+    lines.push((
+        format!("albedo at {angles}"),
+        highest.map(|share| format!("{share:.2}")).join("   ") + mark,
+    ));
+    let mut took = format!("{} evaluations", outcome.evaluations);
     if let Some(seconds) = kept.seconds {
-        let text = format!("{seconds:.1} s, {} evaluations", outcome.evaluations);
-        lines.push(("took".into(), text));
+        took = format!("{seconds:.1} s, {took}");
     }
-    lines.push(("ended".into(), outcome.ended.key().into()));
+    lines.push((outcome.ended.key().into(), took));
     egui::Grid::new("fit details")
         .num_columns(2)
         .spacing([14.0, 3.0])
@@ -70,7 +77,7 @@ pub fn details_ui(ui: &mut egui::Ui, state: &State, kept: &KeptFit) {
             let (weak, color) = (ui.visuals().weak_text_color(), ui.visuals().text_color());
             for (name, value) in lines {
                 ui.label(rich_text_job(&RichText::parse(&name), 12.5, weak));
-                let color = if value.ends_with("> 1") {
+                let color = if value.ends_with(ABOVE_ONE) {
                     ui.visuals().warn_fg_color
                 } else {
                     color
@@ -89,7 +96,9 @@ pub fn details_ui(ui: &mut egui::Ui, state: &State, kept: &KeptFit) {
 /// What to know before trusting the parameters.
 pub fn concerns_ui(ui: &mut egui::Ui, kept: &KeptFit) {
     for concern in &kept.outcome.concerns {
-        let text = egui::RichText::new(concern.text()).color(ui.visuals().warn_fg_color);
+        let text = egui::RichText::new(concern.text())
+            .size(12.5)
+            .color(ui.visuals().warn_fg_color);
         ui.add(egui::Label::new(text).wrap());
     }
 }

@@ -14,8 +14,10 @@ use crate::figure::trace::{self, TracePoint, TraceSpec};
 use crate::fit::{Progress, STAGES, Stage, Variant};
 use egui::{Align, Layout, Sense, vec2};
 
+/// Room in points for what stands left of the numbers.
+const LABELS: f32 = 118.0;
 /// Least height of the trace in points.
-const TRACE: f32 = 112.0;
+const TRACE: f32 = 92.0;
 
 /// What a stage came to, or is at.
 struct StageRow {
@@ -58,12 +60,12 @@ fn stage_row(state: &State, stage: Stage) -> Option<StageRow> {
 /// A row per stage: its tick, what it moves, E from start to end, evaluations.
 pub fn stages_ui(ui: &mut egui::Ui, state: &State, settings: &mut Settings) {
     let width = ui.available_width();
+    ui.spacing_mut().item_spacing.y = 2.0;
     ui.horizontal(|ui| {
         ui.weak("Stages");
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            ui.weak("evaluations");
-            ui.add_space(14.0);
-            ui.weak("E [%]")
+            let weak = ui.visuals().weak_text_color();
+            cells_ui(ui, ["evaluations", "E end [%]", "E start"], weak)
                 .on_hover_text(fit_details::meaning(settings.weight));
         });
     });
@@ -101,30 +103,39 @@ fn stage_help(stage: Stage) -> &'static str {
 }
 
 fn stage_numbers_ui(ui: &mut egui::Ui, row: Option<&StageRow>) {
-    let (color, evaluations, errors) = match row {
-        None => (ui.visuals().weak_text_color(), "–".into(), "–".into()),
-        Some(row) => {
-            let color = if row.under_way {
-                paint::role_color(ui.visuals().dark_mode, crate::figure::Role::Accent)
-            } else {
-                ui.visuals().text_color()
-            };
-            let errors = format!("{} – {}", hundredths(row.start), hundredths(row.now));
-            (color, row.evaluations.to_string(), errors)
-        }
+    let Some(row) = row else {
+        cells_ui(ui, ["–"; 3], ui.visuals().weak_text_color());
+        return;
     };
-    let cell = |ui: &mut egui::Ui, width: f32, text: &str| {
-        ui.allocate_ui_with_layout(
-            vec2(width, ui.available_height()),
-            Layout::right_to_left(Align::Center),
-            |ui| {
-                ui.set_min_width(width);
-                ui.label(rich_text_job(&RichText::parse(text), 13.0, color));
-            },
-        );
+    let color = if row.under_way {
+        paint::role_color(ui.visuals().dark_mode, crate::figure::Role::Accent)
+    } else {
+        ui.visuals().text_color()
     };
-    cell(ui, 58.0, &evaluations);
-    cell(ui, 104.0, &errors);
+    let errors = [row.now, row.start].map(hundredths);
+    let evaluations = row.evaluations.to_string();
+    cells_ui(ui, [&evaluations, &errors[0], &errors[1]], color);
+}
+
+/// The columns of numbers, from the right; returns that of E. In a narrow panel they share what there is.
+fn cells_ui(ui: &mut egui::Ui, texts: [&str; 3], color: egui::Color32) -> egui::Response {
+    ui.spacing_mut().item_spacing.x = 6.0;
+    let row = ui.max_rect().right() - ui.clip_rect().left();
+    let narrowing = ((row - LABELS) / 198.0).clamp(0.3, 1.0);
+    let mut cell = |width: f32, text: &str| {
+        let layout = Layout::right_to_left(Align::Center);
+        let size = vec2(narrowing * width, ui.available_height());
+        let cell = ui.allocate_ui_with_layout(size, layout, |ui| {
+            ui.set_width(size.x);
+            let job = rich_text_job(&RichText::parse(text), 13.0, color);
+            ui.add(egui::Label::new(job).truncate())
+        });
+        cell.inner
+    };
+    cell(72.0, texts[0]);
+    let response = cell(62.0, texts[1]);
+    cell(52.0, texts[2]);
+    response
 }
 
 fn params_ui(ui: &mut egui::Ui, brdf: &Brdf) {
@@ -166,6 +177,7 @@ pub fn result_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
             (&[], "E over evaluations")
         }
     };
+    ui.add_space(4.0);
     trace_ui(ui, heard, state.scene.selected, empty);
 }
 
@@ -240,7 +252,7 @@ fn lower_first(text: &str) -> String {
 }
 
 fn trace_ui(ui: &mut egui::Ui, heard: &[Progress], series: usize, empty: &str) {
-    let height = (ui.available_height() - 4.0).clamp(TRACE, 2.0 * TRACE);
+    let height = (ui.available_height() - 4.0).clamp(TRACE, 2.5 * TRACE);
     let size = vec2(ui.available_width(), height);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "Trace of E"));

@@ -60,6 +60,7 @@ pub fn model_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
                     }
                 }
             });
+            ui.add_space(6.0);
         });
 }
 
@@ -264,7 +265,7 @@ fn derived_ui(ui: &mut egui::Ui, brdf: &Brdf) {
     rows.push((
         "k_{s}·R_{F}(0)",
         brdf.specular_at_normal(),
-        "Height of the lobe seen from above; as η → 1 only this product counts",
+        "Height of the lobe seen from above; as η nears 1 only this product counts",
     ));
     egui::Grid::new("derived")
         .num_columns(2)

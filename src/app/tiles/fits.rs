@@ -4,7 +4,7 @@ mod rows;
 
 use super::lobes::look_beside;
 use crate::app::command::Command;
-use crate::app::fitting::{FitMsg, Run, SortBy, variant_name};
+use crate::app::fitting::{FitMsg, Run, SortBy, short_variant_name, variant_name};
 use crate::app::formula::number;
 use crate::app::paint::{self, rich_text_job};
 use crate::app::panels::{dialogs, fit_details};
@@ -18,7 +18,7 @@ use rows::{Mark, Row, rows};
 
 const ROW: f32 = 25.0;
 /// Width below which the table scrolls, and below which it leaves the times out.
-const NARROW: (f32, f32) = (480.0, 600.0);
+const NARROW: (f32, f32) = (430.0, 600.0);
 
 /// Draws the tile.
 pub fn fits_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
@@ -99,6 +99,7 @@ fn under_way(run: &Run) -> String {
 /// Places of the columns in points from the left of a row.
 struct Columns {
     width: f32,
+    narrow: bool,
     name: f32,
     /// Right ends: E, E at grazing angles, s, α, η, and the time where there is room.
     right: Vec<f32>,
@@ -106,8 +107,9 @@ struct Columns {
 
 impl Columns {
     fn new(width: f32) -> Self {
-        let widths: &[f32] = if width < NARROW.1 {
-            &[54.0, 66.0, 56.0, 50.0, 50.0]
+        let narrow = width < NARROW.1;
+        let widths: &[f32] = if narrow {
+            &[50.0, 54.0, 50.0, 48.0, 42.0]
         } else {
             &[70.0, 78.0, 74.0, 62.0, 62.0, 66.0]
         };
@@ -119,6 +121,7 @@ impl Columns {
         }
         Self {
             width,
+            narrow,
             name: 64.0,
             right,
         }
@@ -126,18 +129,18 @@ impl Columns {
 
     /// Where the name has to end.
     fn name_end(&self) -> f32 {
-        self.right[0] - 52.0
+        self.right[0] - if self.narrow { 44.0 } else { 52.0 }
     }
 }
 
 const HEADS: [(&str, &str); 6] = [
     (
         "E [%]",
-        "Error over all cells. With the cosine weight: the share of reflected energy that is misplaced under uniform light.",
+        "Error over all cells in percent. With the cosine weight: the share of reflected energy that is misplaced under uniform light.",
     ),
     (
         "E ≥ 70° [%]",
-        "The same over the cells with θi or θo from 70° on.",
+        "The same over the cells with θi or θo from 70° on, in percent.",
     ),
     ("s", "Specular exponent"),
     ("α", "0 is Phong, 1 is Blinn-Phong"),
@@ -191,6 +194,11 @@ fn header_ui(ui: &mut egui::Ui, sort: SortBy, columns: &Columns, out: &mut Vec<M
     );
     let sorts = [Some(SortBy::Error), Some(SortBy::Grazing)];
     for (k, (right, (text, help))) in columns.right.iter().zip(HEADS).enumerate() {
+        let text = match text.split_once(" [") {
+            // The unit is in the help, too.
+            Some((short, _)) if columns.narrow => short,
+            _ => text,
+        };
         head(Some(*right), text, help, sorts.get(k).copied().flatten());
     }
     let line = ui.visuals().widgets.noninteractive.bg_stroke;
@@ -222,7 +230,12 @@ fn row_ui(ui: &mut egui::Ui, state: &State, row: &Row, columns: &Columns, out: &
     let middle = |galley: &egui::Galley| rect.center().y - 0.5 * galley.size().y;
 
     let mut end = rect.left() + columns.name;
-    let mut parts = vec![(name, color)];
+    let written = if columns.narrow {
+        short_variant_name(row.variant)
+    } else {
+        name
+    };
+    let mut parts = vec![(written, color)];
     parts.extend(
         row.mark
             .text()
