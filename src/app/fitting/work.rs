@@ -65,7 +65,7 @@ impl Fitter {
                 while let Ok(oldest) = asked.recv() {
                     // The newest wins.
                     let newest = asked.try_iter().last().unwrap_or(oldest);
-                    of_thread.resolve(newest);
+                    of_thread.resolve(&newest);
                 }
             })?;
         Ok(Self {
@@ -181,7 +181,7 @@ impl Shared {
         ControlFlow::Continue(())
     }
 
-    fn resolve(&self, resolve: Resolve) {
+    fn resolve(&self, resolve: &Resolve) {
         let work = || {
             let pool = self.resolve_pool.as_ref();
             let problem = self.problem(pool, resolve.material, &resolve.table, &resolve.setup)?;

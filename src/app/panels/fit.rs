@@ -57,18 +57,27 @@ fn head_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
         ui.heading("Fit");
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let why_not = state.fit_blocked().unwrap_or_default();
-            let mut button = |ui: &mut egui::Ui, command: Command, button: egui::Button| {
-                let response = ui
-                    .add_enabled(command.is_enabled(state), button)
-                    .on_hover_text(command.hint(ui.ctx()))
-                    .on_disabled_hover_text(why_not);
-                if response.clicked() {
-                    out.push(Msg::Run(command));
-                }
-            };
+            let mut button =
+                |ui: &mut egui::Ui, command: Command, button: egui::Button, name: &str| {
+                    let response = ui
+                        .add_enabled(command.is_enabled(state), button)
+                        .on_hover_text(command.hint(ui.ctx()))
+                        .on_disabled_hover_text(why_not);
+                    // The menu has an entry of the same word.
+                    ui.ctx()
+                        .accesskit_node_builder(response.id, |node| node.set_label(name));
+                    if response.clicked() {
+                        out.push(Msg::Run(command));
+                    }
+                };
             let main = egui::Button::new(name).min_size(egui::vec2(72.0, 0.0));
-            button(ui, command, main.selected(!running));
-            button(ui, Command::FitAll, egui::Button::new("All six"));
+            let label = if running {
+                "Stop the fit"
+            } else {
+                "Start the fit"
+            };
+            button(ui, command, main.selected(!running), label);
+            button(ui, Command::FitAll, egui::Button::new("All six"), "All six");
         });
     });
 }

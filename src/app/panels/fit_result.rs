@@ -65,7 +65,7 @@ pub fn stages_ui(ui: &mut egui::Ui, state: &State, settings: &mut Settings) {
         ui.weak("Stages");
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let weak = ui.visuals().weak_text_color();
-            cells_ui(ui, ["evaluations", "E end [%]", "E start"], weak)
+            cells_ui(ui, width, ["evaluations", "E end [%]", "E start"], weak)
                 .on_hover_text(fit_details::meaning(settings.weight));
         });
     });
@@ -78,7 +78,7 @@ pub fn stages_ui(ui: &mut egui::Ui, state: &State, settings: &mut Settings) {
                 let name = format!("stage {}", stage.number());
                 super::fit::tick_ui(ui, on, &markup, &name);
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                    stage_numbers_ui(ui, row.as_ref());
+                    stage_numbers_ui(ui, width, row.as_ref());
                 });
             })
             .response;
@@ -102,9 +102,9 @@ fn stage_help(stage: Stage) -> &'static str {
     }
 }
 
-fn stage_numbers_ui(ui: &mut egui::Ui, row: Option<&StageRow>) {
+fn stage_numbers_ui(ui: &mut egui::Ui, width: f32, row: Option<&StageRow>) {
     let Some(row) = row else {
-        cells_ui(ui, ["–"; 3], ui.visuals().weak_text_color());
+        cells_ui(ui, width, ["–"; 3], ui.visuals().weak_text_color());
         return;
     };
     let color = if row.under_way {
@@ -114,14 +114,18 @@ fn stage_numbers_ui(ui: &mut egui::Ui, row: Option<&StageRow>) {
     };
     let errors = [row.now, row.start].map(hundredths);
     let evaluations = row.evaluations.to_string();
-    cells_ui(ui, [&evaluations, &errors[0], &errors[1]], color);
+    cells_ui(ui, width, [&evaluations, &errors[0], &errors[1]], color);
 }
 
 /// The columns of numbers, from the right; returns that of E. In a narrow panel they share what there is.
-fn cells_ui(ui: &mut egui::Ui, texts: [&str; 3], color: egui::Color32) -> egui::Response {
+fn cells_ui(
+    ui: &mut egui::Ui,
+    row_width: f32,
+    texts: [&str; 3],
+    color: egui::Color32,
+) -> egui::Response {
     ui.spacing_mut().item_spacing.x = 6.0;
-    let row = ui.max_rect().right() - ui.clip_rect().left();
-    let narrowing = ((row - LABELS) / 198.0).clamp(0.3, 1.0);
+    let narrowing = ((row_width - LABELS) / 198.0).clamp(0.3, 1.0);
     let mut cell = |width: f32, text: &str| {
         let layout = Layout::right_to_left(Align::Center);
         let size = vec2(narrowing * width, ui.available_height());
