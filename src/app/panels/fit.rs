@@ -1,6 +1,6 @@
 //! The fit: what it is asked, and the button that starts and stops it.
 
-use super::fit_result;
+use super::{fit_result, fit_stages};
 use crate::app::command::Command;
 use crate::app::fitting::{FitMsg, Settings};
 use crate::app::paint::rich_text_job;
@@ -37,7 +37,7 @@ pub fn fit_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
                 more_ui(ui, &mut settings, &opened.brdf);
             }
             ui.add_space(2.0);
-            fit_result::stages_ui(ui, state, &mut settings);
+            fit_stages::stages_ui(ui, state, &mut settings);
             fit_result::result_ui(ui, state, out);
             if settings != *before {
                 out.push(Msg::Fit(FitMsg::Settings(settings)));

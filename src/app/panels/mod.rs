@@ -4,6 +4,7 @@ pub mod dialogs;
 pub mod fit;
 pub mod fit_details;
 pub mod fit_result;
+pub mod fit_stages;
 pub mod library;
 pub mod menu;
 pub mod model;

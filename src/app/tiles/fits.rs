@@ -1,10 +1,11 @@
 //! The table of fits of the shown material: one row per variant.
 
+mod head;
 mod rows;
 
 use super::lobes::look_beside;
 use crate::app::command::Command;
-use crate::app::fitting::{FitMsg, Run, SortBy, short_variant_name, variant_name};
+use crate::app::fitting::{FitMsg, Run, short_variant_name, variant_name};
 use crate::app::formula::number;
 use crate::app::paint::{self, rich_text_job};
 use crate::app::panels::{dialogs, fit_details};
@@ -13,12 +14,9 @@ use crate::app::update::Msg;
 use crate::figure::drawing::Drawing;
 use crate::figure::palette::{Palette, Role};
 use crate::figure::text::RichText;
-use egui::{Color32, Rect, Sense, Stroke, UiBuilder, Vec2, pos2, vec2};
+use egui::{Color32, Rect, Sense, UiBuilder, Vec2, pos2, vec2};
+use head::{Columns, ROW, header_ui};
 use rows::{Mark, Row, rows};
-
-const ROW: f32 = 25.0;
-/// Width below which the table scrolls, and below which it leaves the times out.
-const NARROW: (f32, f32) = (430.0, 600.0);
 
 /// Draws the tile.
 pub fn fits_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
@@ -38,7 +36,7 @@ pub fn fits_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
         .auto_shrink([false, false])
         .show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
-            let columns = Columns::new(ui.available_width().max(NARROW.0));
+            let columns = Columns::new(ui.available_width());
             header_ui(ui, state.fit.sort, &columns, out);
             for row in &rows {
                 row_ui(ui, state, row, &columns, out);
@@ -94,115 +92,6 @@ fn under_way(run: &Run) -> String {
         Some(part) => variant_name(part.variant),
         None => String::new(),
     }
-}
-
-/// Places of the columns in points from the left of a row.
-struct Columns {
-    width: f32,
-    narrow: bool,
-    name: f32,
-    /// Right ends: E, E at grazing angles, s, α, η, and the time where there is room.
-    right: Vec<f32>,
-}
-
-impl Columns {
-    fn new(width: f32) -> Self {
-        let narrow = width < NARROW.1;
-        let widths: &[f32] = if narrow {
-            &[50.0, 54.0, 50.0, 48.0, 42.0]
-        } else {
-            &[70.0, 78.0, 74.0, 62.0, 62.0, 66.0]
-        };
-        let mut left = width - widths.iter().sum::<f32>() - 8.0;
-        let mut right = Vec::new();
-        for width in widths {
-            left += width;
-            right.push(left);
-        }
-        Self {
-            width,
-            narrow,
-            name: 64.0,
-            right,
-        }
-    }
-
-    /// Where the name has to end.
-    fn name_end(&self) -> f32 {
-        self.right[0] - if self.narrow { 44.0 } else { 52.0 }
-    }
-}
-
-const HEADS: [(&str, &str); 6] = [
-    (
-        "E [%]",
-        "Error over all cells in percent. With the cosine weight: the share of reflected energy that is misplaced under uniform light.",
-    ),
-    (
-        "E ≥ 70° [%]",
-        "The same over the cells with θi or θo from 70° on, in percent.",
-    ),
-    ("s", "Specular exponent"),
-    ("α", "0 is Phong, 1 is Blinn-Phong"),
-    ("η", "Relative index of refraction"),
-    ("time [s]", "How long the fit took"),
-];
-
-fn header_ui(ui: &mut egui::Ui, sort: SortBy, columns: &Columns, out: &mut Vec<Msg>) {
-    let (rect, _) = ui.allocate_exact_size(vec2(columns.width, ROW), Sense::hover());
-    let mut head = |right: Option<f32>, text: &str, help: &str, by: Option<SortBy>| {
-        let sorted = by == Some(sort);
-        let color = if sorted {
-            ui.visuals().strong_text_color()
-        } else {
-            ui.visuals().weak_text_color()
-        };
-        let galley = ui
-            .painter()
-            .layout_job(rich_text_job(&RichText::parse(text), 12.5, color));
-        let x = rect.left() + right.map_or(columns.name, |right| right - galley.size().x);
-        let at = pos2(x, rect.center().y - 0.5 * galley.size().y);
-        let cell = Rect::from_min_size(at, galley.size()).expand2(vec2(5.0, 4.0));
-        ui.painter().galley(at, galley, color);
-        if sorted {
-            let base = pos2(cell.right() - 5.0, cell.bottom() - 3.0);
-            let left = pos2(cell.left() + 5.0, base.y);
-            ui.painter()
-                .line_segment([left, base], Stroke::new(1.0, color));
-        }
-        let sense = if by.is_some() {
-            Sense::click()
-        } else {
-            Sense::hover()
-        };
-        let response = ui.interact(cell, ui.scope_id().with(text), sense);
-        if let Some(by) = by {
-            response.widget_info(|| {
-                egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Sort by {text}"))
-            });
-            if response.clicked() {
-                out.push(Msg::Fit(FitMsg::SortBy(by)));
-            }
-        }
-        response.on_hover_text(help);
-    };
-    head(
-        None,
-        "variant",
-        "Model and Fresnel factor. A click on a row lays that fit over the material.",
-        Some(SortBy::Name),
-    );
-    let sorts = [Some(SortBy::Error), Some(SortBy::Grazing)];
-    for (k, (right, (text, help))) in columns.right.iter().zip(HEADS).enumerate() {
-        let text = match text.split_once(" [") {
-            // The unit is in the help, too.
-            Some((short, _)) if columns.narrow => short,
-            _ => text,
-        };
-        head(Some(*right), text, help, sorts.get(k).copied().flatten());
-    }
-    let line = ui.visuals().widgets.noninteractive.bg_stroke;
-    ui.painter().hline(rect.x_range(), rect.bottom(), line);
 }
 
 fn row_ui(ui: &mut egui::Ui, state: &State, row: &Row, columns: &Columns, out: &mut Vec<Msg>) {
