@@ -143,7 +143,7 @@ fn grey_moves_the_channels_as_one() {
     assert!((rho_d(&window)[0] - 0.7).abs() < 0.01 && rho_d(&window)[1] != rho_d(&window)[0]);
     window
         .get_by_role_and_label(Role::CheckBox, "rho_d grey")
-        .click();
+        .click_accesskit();
     window.run_steps(3);
     set_slider(&mut window, "rho_d", 0.25);
     let [r, g, b] = rho_d(&window);

@@ -32,7 +32,7 @@ use update::{Msg, Task, apply};
 const PREFS_KEY: &str = "grazing.prefs";
 
 /// Height of the fit's panel in points, where the window leaves it that.
-const FIT_HEIGHT: f32 = 374.0;
+const FIT_HEIGHT: f32 = 350.0;
 
 /// How the window starts.
 pub struct Options {

@@ -33,16 +33,10 @@ pub fn model_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
             ui.add_space(6.0);
             formula_ui(ui, brdf);
             ui.add_space(6.0);
+            // The shape first: it is dragged most, and has to be in sight above the fit.
+            params_ui(ui, state, brdf, false, out);
             optimal_ui(ui, state, out);
-            for row in &params::ALL {
-                // The model's own row where it has one: ranges differ. The rest is shown greyed.
-                let row = brdf.model.param(row.id).unwrap_or(row);
-                let follows = state.fit.keep_optimal && row.id.is_color();
-                ui.add_enabled_ui(brdf.uses(row.id) && !follows, |ui| {
-                    param_ui(ui, &state.scene, brdf, row, out);
-                });
-                ui.add_space(4.0);
-            }
+            params_ui(ui, state, brdf, true, out);
             ui.separator();
             derived_ui(ui, brdf);
             ui.add_space(6.0);
@@ -86,6 +80,19 @@ fn choices_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
                 }
             }
         });
+    }
+}
+
+/// The sliders of the colours, or of the parameters that all channels share.
+fn params_ui(ui: &mut egui::Ui, state: &State, brdf: &Brdf, colors: bool, out: &mut Vec<Msg>) {
+    for row in params::ALL.iter().filter(|row| row.id.is_color() == colors) {
+        // The model's own row where it has one: ranges differ. The rest is shown greyed.
+        let row = brdf.model.param(row.id).unwrap_or(row);
+        let follows = state.fit.keep_optimal && colors;
+        ui.add_enabled_ui(brdf.uses(row.id) && !follows, |ui| {
+            param_ui(ui, &state.scene, brdf, row, out);
+        });
+        ui.add_space(4.0);
     }
 }
 
