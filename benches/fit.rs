@@ -161,8 +161,8 @@ impl Plain {
         for (wr_wo, wh_n_4, wi_dot_wh, weight, f_r) in &self.cells {
             let base: f64 = (1.0 - p.alpha) * wr_wo + p.alpha * wh_n_4;
             let shape = brdf.fresnel.reflectance(*wi_dot_wh, p.eta) * base.powf(p.s);
-            for k in 0..3 {
-                sum += weight * (p.rho_d[k] / PI + p.k_s[k] * shape - f_r[k]).abs();
+            for (k, f_r) in f_r.iter().enumerate() {
+                sum += weight * (p.rho_d[k] / PI + p.k_s[k] * shape - f_r).abs();
             }
         }
         sum / self.energy

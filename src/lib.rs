@@ -18,7 +18,8 @@
 //! f_r in 1/sr without the cosine; RGB linear; an invalid cell has no value and is never 0. The CPU in f64 is the
 //! truth, and a file `x.wgsl` beside `x.rs` is its tested twin.
 //!
-//! Invariants: state changes in [`app::update::apply`] only; panels read it and push messages; a plot is a
+//! Invariants: state changes in [`app::update::apply`] only; panels read it and push messages; what a fit says reaches
+//! the window through a slot that is emptied once a frame ([`app::fitting`]); a plot is a
 //! [`figure::drawing::Drawing`] before anything paints it; user data never panic.
 
 pub mod app;

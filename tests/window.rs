@@ -2,93 +2,16 @@
 
 mod common;
 
+use common::window::{Window, click, drag, press, s, set_slider, settle, value, window};
 use common::{skip_gpu, write_merl};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
-use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
-use grazing::app::state::{Dialog, Level, Show, State};
-use grazing::app::{App, Options, Picker};
+use grazing::app::state::{Dialog, Level, Show};
 use grazing::brdf::{Fresnel, ParamId};
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
-
-type Window = Harness<'static, App>;
-
-fn window(files: Vec<PathBuf>, to_open: Vec<PathBuf>) -> Window {
-    let picker = Picker {
-        open: Arc::new(move || to_open.clone()),
-        save: Arc::new(|_| None),
-    };
-    let mut window = Harness::builder()
-        .with_size([1280.0, 800.0])
-        .with_step_dt(0.03)
-        .with_theme(egui::Theme::Dark)
-        .wgpu()
-        .build_eframe(move |cc| App::new(cc, Options { files, picker }).expect("a renderer"));
-    settle(&mut window, |state| state.jobs.is_empty());
-    window
-}
-
-/// Steps until the state is as wanted. The limit is for a broken program, not a measure.
-fn settle(window: &mut Window, wanted: impl Fn(&State) -> bool) {
-    let start = Instant::now();
-    loop {
-        window.step();
-        if wanted(window.state().state()) {
-            break;
-        }
-        assert!(
-            start.elapsed() < Duration::from_secs(60),
-            "{:?}",
-            window.state().state().notices
-        );
-        std::thread::sleep(Duration::from_millis(5));
-    }
-    window.run_steps(3);
-}
-
-fn s(window: &Window) -> f64 {
-    value(window, ParamId::S)
-}
-
-fn value(window: &Window, id: ParamId) -> f64 {
-    let state = window.state().state();
-    state.current().expect("a material").1.brdf.params.get(id)[0]
-}
-
-fn click(window: &mut Window, name: &str) {
-    window.get_by_role_and_label(Role::Button, name).click();
-    window.run_steps(3);
-}
-
-fn set_slider(window: &mut Window, name: &str, to: f64) {
-    window
-        .get_by_role_and_label(Role::Slider, name)
-        .set_value_accesskit(to);
-    window.run_steps(3);
-}
-
-/// Drags with the pointer along these points.
-fn drag(window: &mut Window, path: &[egui::Pos2]) {
-    let [from, via @ .., to] = path else {
-        panic!("a drag has a start and an end")
-    };
-    window.drag_at(*from);
-    window.run_steps(2);
-    for point in via.iter().chain([to]) {
-        window.hover_at(*point);
-        window.run_steps(2);
-    }
-    window.drop_at(*to);
-    window.run_steps(3);
-}
-
-fn press(window: &mut Window, modifiers: Modifiers, key: Key) {
-    window.key_press_modifiers(modifiers, key);
-    window.run_steps(3);
-}
+use std::time::Duration;
 
 #[test]
 fn it_starts_with_a_synthetic_sample_and_a_model_over_it() {
@@ -220,7 +143,7 @@ fn grey_moves_the_channels_as_one() {
     assert!((rho_d(&window)[0] - 0.7).abs() < 0.01 && rho_d(&window)[1] != rho_d(&window)[0]);
     window
         .get_by_role_and_label(Role::CheckBox, "rho_d grey")
-        .click();
+        .click_accesskit();
     window.run_steps(3);
     set_slider(&mut window, "rho_d", 0.25);
     let [r, g, b] = rho_d(&window);

@@ -5,6 +5,7 @@ mod entries;
 use super::state::{Show, State, Theme};
 use crate::brdf::fresnel::Fresnel;
 use crate::figure::scale::RadialScale;
+use crate::fit::Weight;
 use crate::gpu::sphere::LIGHT_PRESETS;
 use crate::measured::lookup::Lookup;
 use egui::KeyboardShortcut;
@@ -29,6 +30,12 @@ pub enum Command {
     ResetParams,
     UseModel(usize),
     UseFresnel(Fresnel),
+    Fit,
+    FitAll,
+    CancelFit,
+    ToggleKeepOptimal,
+    ToggleFromSliders,
+    UseWeight(Weight),
     NextMaterial,
     PreviousMaterial,
     UseShow(Show),
@@ -53,7 +60,7 @@ pub struct Place {
 }
 
 /// The menus from left to right.
-pub const MENUS: [&str; 5] = ["File", "Edit", "Model", "View", "Help"];
+pub const MENUS: [&str; 6] = ["File", "Edit", "Model", "Fit", "View", "Help"];
 
 /// A row of the list.
 #[derive(Debug)]
@@ -101,6 +108,10 @@ impl Command {
             | Self::ResetParams
             | Self::UseModel(_)
             | Self::UseFresnel(_) => state.current().is_some(),
+            Self::Fit | Self::FitAll => state.fit_blocked().is_none(),
+            Self::CancelFit => {
+                state.dialog.is_none() && state.fit.run.as_ref().is_some_and(|run| !run.stopping)
+            }
             Self::NextMaterial | Self::PreviousMaterial => state.scene.opened.len() > 1,
             _ => true,
         }
@@ -113,6 +124,9 @@ impl Command {
         Some(match self {
             Self::UseModel(index) => brdf.is_some_and(|brdf| brdf.model.index() == index),
             Self::UseFresnel(fresnel) => brdf.is_some_and(|brdf| brdf.fresnel == fresnel),
+            Self::ToggleKeepOptimal => state.fit.keep_optimal,
+            Self::ToggleFromSliders => state.fit.settings.from_sliders,
+            Self::UseWeight(weight) => state.fit.settings.weight == weight,
             Self::UseShow(show) => scene.sphere.show == show,
             Self::UseLights(index) => LIGHT_PRESETS
                 .get(index)

@@ -26,6 +26,11 @@ impl Outbox {
         (Self { sender, ctx }, receiver)
     }
 
+    /// Wakes the window without a message.
+    pub fn wake(&self) {
+        self.ctx.request_repaint();
+    }
+
     /// Sends a message. A window that is gone hears nothing.
     pub fn send(&self, msg: Msg) {
         if self.sender.send(msg).is_ok() {

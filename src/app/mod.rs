@@ -1,6 +1,7 @@
 //! The window: egui over the state. Panels read the state and push messages; [`update::apply`] changes it.
 
 pub mod command;
+pub mod fitting;
 mod formula;
 mod history;
 mod jobs;
@@ -18,8 +19,10 @@ pub use startup::run;
 pub use tasks::Picker;
 
 use command::ENTRIES;
+use fitting::FitMsg;
+use fitting::work::Fitter;
 use jobs::{Outbox, Queue};
-use panels::{dialogs, library, menu, model, notices, status};
+use panels::{dialogs, fit, library, menu, model, notices, status};
 use state::{Prefs, State, Theme};
 use std::path::PathBuf;
 use std::sync::mpsc::Receiver;
@@ -28,6 +31,9 @@ use update::{Msg, Task, apply};
 
 /// Where the preferences are kept in the storage.
 const PREFS_KEY: &str = "grazing.prefs";
+
+/// Height of the fit's panel in points, where the window leaves it that.
+const FIT_HEIGHT: f32 = 350.0;
 
 /// How the window starts.
 pub struct Options {
@@ -44,6 +50,7 @@ pub struct App {
     outbox: Outbox,
     inbox: Receiver<Msg>,
     queue: Queue,
+    fitter: Fitter,
     picker: Picker,
     adapter: String,
     shown_theme: Option<Theme>,
@@ -68,9 +75,10 @@ impl App {
         let mut app = Self {
             state: State::default(),
             tiles: Tiles::default(),
-            outbox,
+            outbox: outbox.clone(),
             inbox,
             queue: Queue::start()?,
+            fitter: Fitter::start(outbox)?,
             picker: options.picker,
             adapter: crate::gpu::adapter::describe(&render_state.adapter.get_info()),
             shown_theme: None,
@@ -102,10 +110,17 @@ impl App {
     /// Applies a message and starts what follows from it.
     pub fn handle(&mut self, ctx: &egui::Context, msg: Msg) {
         for task in apply(&mut self.state, msg) {
-            if let Task::ResetLayout = task {
-                self.tiles = Tiles::default();
-            } else {
-                tasks::start(task, ctx, &self.outbox, &self.queue, &self.picker);
+            match task {
+                Task::ResetLayout => self.tiles = Tiles::default(),
+                Task::ShowFits => self.tiles.show_fits(),
+                task => tasks::start(
+                    task,
+                    ctx,
+                    &self.outbox,
+                    &self.queue,
+                    &mut self.fitter,
+                    &self.picker,
+                ),
             }
         }
     }
@@ -121,7 +136,7 @@ impl App {
         egui::Panel::right("model")
             .default_size(316.0)
             .size_range(260.0..=520.0)
-            .show(ui, |ui| model::model_ui(ui, state, out));
+            .show(ui, |ui| right_ui(ui, state, out));
         let tiles = &mut self.tiles;
         let ground = egui::Frame::NONE.fill(ui.visuals().panel_fill);
         egui::CentralPanel::no_frame()
@@ -143,7 +158,12 @@ impl eframe::App for App {
                 Theme::Dark => egui::ThemePreference::Dark,
             });
         }
-        let mut out: Vec<Msg> = self.inbox.try_iter().collect();
+        // Before the inbox: the message that a fit has ended comes after its last words.
+        let heard = self
+            .fitter
+            .heard()
+            .map(|heard| Msg::Fit(FitMsg::Heard(heard)));
+        let mut out: Vec<Msg> = heard.into_iter().chain(self.inbox.try_iter()).collect();
         shortcuts(&ctx, &self.state, &mut out);
         dropped_files(&ctx, &mut out);
         self.panels_ui(ui, &mut out);
@@ -168,7 +188,23 @@ impl eframe::App for App {
         for job in &self.state.jobs {
             job.cancel.set();
         }
+        if let Some(run) = &self.state.fit.run {
+            run.cancel.set();
+        }
+        self.fitter.finish();
     }
+}
+
+/// The model above the fit. In a low window the fit takes the larger part: the model scrolls well.
+fn right_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+    let height = ui.available_height();
+    egui::Panel::bottom("fit")
+        .resizable(true)
+        .frame(egui::Frame::NONE)
+        .default_size(FIT_HEIGHT.min(0.58 * height))
+        .size_range(90.0..=(height - 120.0).max(100.0))
+        .show(ui, |ui| fit::fit_ui(ui, state, out));
+    egui::CentralPanel::no_frame().show(ui, |ui| model::model_ui(ui, state, out));
 }
 
 /// Runs the commands whose keys were pressed. A field that is being edited keeps the keys it understands.
@@ -181,8 +217,12 @@ fn shortcuts(ctx: &egui::Context, state: &State, out: &mut Vec<Msg>) {
     // Ctrl+Z also matches while Shift is held, so the longer combinations go first.
     entries.sort_by_key(|(_, keys)| std::cmp::Reverse(usize::from(keys.modifiers.shift)));
     for (entry, keys) in entries {
-        let kept = typing && (entry.place.menu == "Edit" || keys.modifiers.is_none());
+        let bare = keys.modifiers.is_none();
+        let kept = typing && (entry.place.menu == "Edit" || bare);
+        // A bare key such as Esc has other uses where its command has none.
+        let elsewhere = bare && (egui::Popup::is_any_open(ctx) || !entry.command.is_enabled(state));
         if !kept
+            && !elsewhere
             && ctx.input_mut(|input| input.consume_shortcut(&keys))
             && entry.command.is_enabled(state)
         {

@@ -1,5 +1,6 @@
 //! What a fit file does to the state: its models are laid over the materials that were fitted.
 
+use super::fitting::{KeptFit, steps};
 use super::state::{Level, Material, MaterialId, Origin, State};
 use super::update::{Loaded, Task, add_material, edit, load_with, notify};
 use crate::files::FileError;
@@ -43,13 +44,21 @@ pub(super) fn alone(fits: Box<MaterialFits>) -> Loaded {
     }
 }
 
-/// Says what there is to say when models of a file came to a material, new or open before.
+/// Keeps the fits of a file with a material, new or open before, and says what there is to say: fits of other data
+/// are not kept.
 pub(super) fn arrived(state: &mut State, id: MaterialId, fits: &MaterialFits) {
     let Some(Material { name, source, .. }) = state.materials.get(&id) else {
         return;
     };
+    let (name, source) = (name.clone(), source.clone());
+    for record in fits.entries.iter().filter_map(|entry| entry.fit.as_ref()) {
+        let pair = source.as_ref().zip(record.source.as_ref());
+        if pair.and_then(|(now, then)| now.same_data(then)) != Some(false) {
+            state.keep_fit(id, KeptFit::from(record));
+        }
+    }
     let best = fits.entries.first().and_then(|best| best.source.as_ref());
-    let (Some(now), Some(then)) = (source, best) else {
+    let (Some(now), Some(then)) = (&source, best) else {
         return;
     };
     if then.same_data(now) == Some(false) {
@@ -90,6 +99,7 @@ fn lay_over(state: &mut State, over: &[(usize, MaterialFits)]) {
     let Some((first, _)) = over.first() else {
         return;
     };
+    steps::release_model(state);
     // A drag may be under way.
     state.history.settle(&state.scene);
     edit(state, |scene| {

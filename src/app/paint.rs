@@ -12,6 +12,11 @@ pub fn series_color(dark_mode: bool, series: usize) -> Color32 {
     color(&Palette::of_theme(dark_mode), Role::Series(series).into())
 }
 
+/// The colour of a role.
+pub fn role_color(dark_mode: bool, role: Role) -> Color32 {
+    color(&Palette::of_theme(dark_mode), role.into())
+}
+
 /// Paints a drawing with its upper left corner at `origin`.
 pub fn paint(painter: &Painter, origin: Pos2, drawing: &Drawing, palette: &Palette) {
     let place = |point: &Point| pos2(origin.x + point[0], origin.y + point[1]);

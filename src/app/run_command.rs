@@ -1,6 +1,7 @@
 //! What each command does to the state.
 
 use super::command::Command;
+use super::fitting::{FitMsg, Settings, steps};
 use super::state::{Dialog, Origin, State};
 use super::update::{Msg, Task, apply, edit, edit_brdf, load};
 use crate::brdf::{Brdf, Fresnel, MODELS, Model};
@@ -30,28 +31,59 @@ pub(super) fn run(state: &mut State, command: Command) -> Vec<Task> {
         Command::SavePicture => return vec![Task::SavePicture],
         Command::Quit => return vec![Task::Quit],
         Command::Undo => {
+            // A fit under way is the step that is taken back.
+            steps::release_model(state);
+            steps::forget_resolves(state);
             let State { history, scene, .. } = state;
             history.undo(scene);
         }
         Command::Redo => {
+            steps::release_model(state);
+            steps::forget_resolves(state);
             let State { history, scene, .. } = state;
             history.redo(scene);
         }
         Command::GuessParams => {
             if let Some(guess) = state.current().map(|(material, _)| material.guess) {
                 edit_brdf(state, |brdf| *brdf = guess.with_model(brdf.model));
+                return steps::resolve(state);
             }
         }
-        Command::ResetParams => edit_brdf(state, |brdf| {
-            for row in brdf.model.params {
-                brdf.params.get_mut(row.id).fill(row.default);
-            }
-        }),
+        Command::ResetParams => {
+            edit_brdf(state, |brdf| {
+                for row in brdf.model.params {
+                    brdf.params.get_mut(row.id).fill(row.default);
+                }
+            });
+            return steps::resolve(state);
+        }
         Command::UseModel(index) => {
             let model: &'static Model = MODELS[index.min(MODELS.len() - 1)];
             edit_brdf(state, |brdf| *brdf = brdf.with_model(model));
+            return steps::resolve(state);
         }
-        Command::UseFresnel(fresnel) => edit_brdf(state, |brdf| change_fresnel(brdf, fresnel)),
+        Command::UseFresnel(fresnel) => {
+            edit_brdf(state, |brdf| change_fresnel(brdf, fresnel));
+            return steps::resolve(state);
+        }
+        Command::Fit => return steps::start(state, false),
+        Command::FitAll => return steps::start(state, true),
+        Command::CancelFit => steps::stop(state),
+        Command::ToggleKeepOptimal => {
+            state.fit.keep_optimal = !state.fit.keep_optimal;
+            steps::forget_resolves(state);
+            return steps::resolve_as_step(state);
+        }
+        Command::ToggleFromSliders => {
+            state.fit.settings.from_sliders = !state.fit.settings.from_sliders;
+        }
+        Command::UseWeight(weight) => {
+            let settings = Settings {
+                weight,
+                ..state.fit.settings.clone()
+            };
+            return steps::apply(state, FitMsg::Settings(settings));
+        }
         Command::NextMaterial | Command::PreviousMaterial => {
             let count = state.scene.opened.len();
             let step = if command == Command::NextMaterial {

@@ -1,10 +1,12 @@
 //! Everything the window shows, as plain data. It changes in [`super::update::apply`] only.
 
+use super::fitting::{FitState, KeptFit};
 use super::history::History;
 use crate::brdf::{Brdf, ParamId};
 use crate::figure::lobes::Channel;
 use crate::figure::scale::RadialScale;
 use crate::files::SourceFile;
+use crate::fit::Variant;
 use crate::geom::Rgb;
 use crate::gpu::sphere::SphereView;
 use crate::measured::Table;
@@ -42,6 +44,20 @@ pub struct Material {
     pub table: Arc<Table>,
     /// The first guess of a model over it, made when it was loaded.
     pub guess: Brdf,
+    /// Its fits, at most one per variant.
+    pub fits: Vec<KeptFit>,
+}
+
+impl Material {
+    /// The kept fit of a variant.
+    pub fn fit(&self, variant: Variant) -> Option<&KeptFit> {
+        self.fits.iter().find(|kept| kept.variant() == variant)
+    }
+
+    /// The same, to be changed.
+    pub fn fit_mut(&mut self, variant: Variant) -> Option<&mut KeptFit> {
+        self.fits.iter_mut().find(|kept| kept.variant() == variant)
+    }
 }
 
 /// Which parts of the picture the sphere shows.
@@ -272,6 +288,8 @@ pub struct State {
     pub history: History<Scene>,
     /// Data of every material that the scene or its history names.
     pub materials: BTreeMap<MaterialId, Material>,
+    /// Fits asked for and under way.
+    pub fit: FitState,
     /// The pair of directions under the pointer.
     pub probe: Option<Probe>,
     /// Jobs under way, the oldest first.
@@ -295,9 +313,11 @@ impl State {
         self.next_id
     }
 
-    /// The shown material and the model over it.
+    /// The shown material and the model over it: while a fit of it runs, the best so far.
     pub fn current(&self) -> Option<(&Material, &Opened)> {
         let opened = self.scene.opened.get(self.scene.selected)?;
+        let live = self.fit.run.as_ref().and_then(|run| run.live.as_ref());
+        let opened = live.filter(|live| live.id == opened.id).unwrap_or(opened);
         Some((self.materials.get(&opened.id)?, opened))
     }
 

@@ -1,5 +1,6 @@
 //! Tasks: what [`super::update::apply`] asks to be done outside the state.
 
+use super::fitting::work::Fitter;
 use super::jobs::{self, Outbox, Queue};
 use super::state::Level;
 use super::update::{Msg, Task};
@@ -48,7 +49,14 @@ impl Picker {
 }
 
 /// Starts a task. None waits here.
-pub fn start(task: Task, ctx: &egui::Context, outbox: &Outbox, queue: &Queue, picker: &Picker) {
+pub fn start(
+    task: Task,
+    ctx: &egui::Context,
+    outbox: &Outbox,
+    queue: &Queue,
+    fitter: &mut Fitter,
+    picker: &Picker,
+) {
     match task {
         Task::Load {
             job,
@@ -59,6 +67,8 @@ pub fn start(task: Task, ctx: &egui::Context, outbox: &Outbox, queue: &Queue, pi
             let outbox = outbox.clone();
             queue.push(move || jobs::load(job, origin, fits, &cancel, &outbox));
         }
+        Task::Fit(task) => fitter.fit(task),
+        Task::Resolve(resolve) => fitter.resolve(resolve),
         Task::PickFiles => {
             let (outbox, open) = (outbox.clone(), Arc::clone(&picker.open));
             in_thread(&outbox.clone(), "open dialog", move || {
@@ -84,7 +94,7 @@ pub fn start(task: Task, ctx: &egui::Context, outbox: &Outbox, queue: &Queue, pi
         Task::Copy(text) => ctx.copy_text(text),
         Task::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
         // The tiles are the window's own.
-        Task::ResetLayout => {}
+        Task::ResetLayout | Task::ShowFits => {}
     }
 }
 

@@ -1,6 +1,7 @@
 //! The one place where the state changes: `apply(state, message) → tasks`.
 
 use super::command::Command;
+use super::fitting::{FitMsg, FitTask, Resolve, steps};
 use super::open_fits;
 use super::run_command;
 use super::state::{
@@ -55,6 +56,8 @@ pub enum Msg {
     ResetParam(ParamId),
     /// Let the channels of a colour move as one, or apart.
     SetGrey(ParamId, bool),
+    /// Something about fitting.
+    Fit(FitMsg),
     /// Change the sphere tile.
     SetSphere(SphereTile),
     /// Change the lobe tile.
@@ -118,6 +121,12 @@ pub enum Task {
         fits: Option<Box<MaterialFits>>,
         cancel: CancelFlag,
     },
+    /// Fit in the background.
+    Fit(FitTask),
+    /// Find the best ρ_d and k_s in the background.
+    Resolve(Resolve),
+    /// Bring the table of fits to the front.
+    ShowFits,
     /// Ask for files to open.
     PickFiles,
     /// Ask where to, and write a picture of the window.
@@ -172,6 +181,9 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
             }
         }),
         Msg::Close(index) => {
+            if let Some(opened) = state.scene.opened.get(index) {
+                steps::forget(state, opened.id);
+            }
             edit(state, |scene| {
                 if index < scene.opened.len() {
                     scene.opened.remove(index);
@@ -182,22 +194,28 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
             });
             forget_unreachable(state);
         }
-        Msg::SetParam { id, channel, value } => edit_brdf(state, |brdf| {
-            let Some(row) = brdf.model.param(id) else {
-                return;
-            };
-            let value = row.clamp(value);
-            let values = brdf.params.get_mut(id);
-            match channel {
-                Some(channel) => values[channel] = value,
-                None => values.fill(value),
-            }
-        }),
-        Msg::ResetParam(id) => edit_brdf(state, |brdf| {
-            if let Some(row) = brdf.model.param(id) {
-                brdf.params.get_mut(id).fill(row.default);
-            }
-        }),
+        Msg::SetParam { id, channel, value } => {
+            edit_brdf(state, |brdf| {
+                let Some(row) = brdf.model.param(id) else {
+                    return;
+                };
+                let value = row.clamp(value);
+                let values = brdf.params.get_mut(id);
+                match channel {
+                    Some(channel) => values[channel] = value,
+                    None => values.fill(value),
+                }
+            });
+            return steps::resolve(state);
+        }
+        Msg::ResetParam(id) => {
+            edit_brdf(state, |brdf| {
+                if let Some(row) = brdf.model.param(id) {
+                    brdf.params.get_mut(id).fill(row.default);
+                }
+            });
+            return steps::resolve(state);
+        }
         Msg::SetGrey(id, grey) => {
             edit(state, |scene| {
                 if let Some(index) = Scene::grey_index(id) {
@@ -208,6 +226,7 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
                 edit_brdf(state, |brdf| make_grey(&mut brdf.params, id));
             }
         }
+        Msg::Fit(msg) => return steps::apply(state, msg),
         Msg::SetSphere(sphere) => edit(state, |scene| scene.sphere = sphere),
         Msg::SetLobes(lobes) => edit(state, |scene| scene.lobes = lobes),
         Msg::SetProbe(probe) => state.probe = probe,
@@ -232,7 +251,9 @@ pub(super) fn edit(state: &mut State, change: impl FnOnce(&mut Scene)) {
     change(&mut state.scene);
 }
 
+/// Changes the shown model. A fit that moves it is stopped: its best so far is what is changed.
 pub(super) fn edit_brdf(state: &mut State, change: impl FnOnce(&mut Brdf)) {
+    steps::release_model(state);
     edit(state, |scene| {
         if let Some(opened) = scene.opened.get_mut(scene.selected) {
             change(&mut opened.brdf);
@@ -288,6 +309,7 @@ pub(super) fn add_material(state: &mut State, origin: Origin, loaded: Loaded) {
             source: loaded.source,
             table: loaded.table,
             guess: loaded.guess,
+            fits: Vec::new(),
         },
     );
     if let Some(fits) = &loaded.fits {

@@ -112,13 +112,48 @@ impl Default for LobeSpec {
     }
 }
 
+/// How the lines of a curve look; in the order in which they are drawn over each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Look {
+    /// Solid.
+    Measured,
+    /// A fit beside the model, thinner: dotted, or with long dashes.
+    Beside {
+        /// Which of the two.
+        long: bool,
+    },
+    /// Dashed.
+    Model,
+}
+
+impl Look {
+    /// Dash and gap in points; `None` for solid.
+    pub fn dash(self) -> Option<[f32; 2]> {
+        match self {
+            Self::Measured => None,
+            Self::Model => Some([6.0, 3.5]),
+            Self::Beside { long: false } => Some([1.6, 2.8]),
+            Self::Beside { long: true } => Some([12.0, 4.0]),
+        }
+    }
+
+    /// Width of an active lobe's line in points.
+    pub fn width(self) -> f32 {
+        match self {
+            Self::Measured | Self::Model => 2.0,
+            Self::Beside { .. } => 1.6,
+        }
+    }
+}
+
 /// A BRDF to plot.
 pub struct Curve<'a> {
     /// Its name in the legend.
     pub label: String,
-    /// Whether it is a model; measurements are solid.
-    pub dashed: bool,
-    /// The material it belongs to, which gives the colour.
+    /// Measurement or model.
+    pub look: Look,
+    /// The material it belongs to, which gives the colour; of a fit beside it, its own
+    /// [`super::palette::companion`].
     pub series: usize,
     /// f_r of (wi, wo) in 1/sr; `None` where nothing was measured.
     pub f_r: &'a dyn Fn(DVec3, DVec3) -> Option<Rgb>,
@@ -136,7 +171,7 @@ impl LobeSpec {
 
     /// Whether a curve is to be shown.
     pub fn shows(&self, curve: &Curve) -> bool {
-        if curve.dashed {
+        if curve.look != Look::Measured {
             self.show_model
         } else {
             self.show_measured

@@ -8,6 +8,7 @@ pub mod palette;
 mod placing;
 pub mod scale;
 pub mod text;
+pub mod trace;
 
 pub use drawing::{Anchor, Drawing, Item, Label, Point};
 pub use lobes::{Channel, Curve, LobePlot, LobeSpec};

@@ -47,6 +47,21 @@ impl From<Role> for Ink {
 /// The number of colours that tell materials apart.
 pub const SERIES_COLORS: usize = 7;
 
+/// How many of the series colours differ clearly from all others; those after them repeat a hue or have none.
+const CLEAR_HUES: usize = 5;
+
+/// The series colour of the `k`-th thing that is drawn beside series `series` and is not to be taken for it.
+pub fn companion(series: usize, k: usize) -> usize {
+    let own = series % SERIES_COLORS;
+    // The last but one is a lighter blue.
+    let own = if own == CLEAR_HUES { 0 } else { own };
+    (own + 1..own + 1 + CLEAR_HUES)
+        .map(|hue| hue % CLEAR_HUES)
+        .filter(|hue| *hue != own)
+        .nth(k % (CLEAR_HUES - 1))
+        .unwrap_or(own)
+}
+
 /// sRGB colours of the roles.
 ///
 /// The series are the hues of Okabe and Ito, who chose them to be told apart by colour-blind people, made darker
@@ -164,6 +179,18 @@ mod tests {
         let mut wrong = Palette::LIGHT;
         wrong.series[4] = Palette::DARK.series[4];
         assert_eq!(too_faint(&wrong), [Role::Series(4)]);
+    }
+
+    #[test]
+    fn companions_have_other_colours_than_their_series() {
+        for series in 0..2 * SERIES_COLORS {
+            let mut hues: Vec<usize> = (0..3).map(|k| companion(series, k)).collect();
+            hues.push(series % SERIES_COLORS);
+            hues.sort_unstable();
+            hues.dedup();
+            assert_eq!(hues.len(), 4, "{series}: {hues:?}");
+            assert!(!(series % SERIES_COLORS == CLEAR_HUES && hues.contains(&0)));
+        }
     }
 
     #[test]

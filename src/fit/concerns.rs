@@ -1,6 +1,5 @@
 //! What one should know before trusting a fit.
 
-use super::objective::Space;
 use super::options::{Options, SMALLEST_ETA};
 use super::outcome::Concern;
 use crate::brdf::{Brdf, Fresnel, ParamId};
@@ -13,14 +12,14 @@ const NEAR_ONE: f64 = 0.02;
 const FEWEST_BINS: usize = 4;
 
 /// The concerns about a fitted model, the gravest first.
-pub fn of(brdf: &Brdf, space: &Space, options: &Options, albedo: &[Rgb]) -> Vec<Concern> {
+pub fn of(brdf: &Brdf, options: &Options, albedo: &[Rgb]) -> Vec<Concern> {
     let mut found = Vec::new();
     let free = |id: ParamId| brdf.uses(id) && !options.held.has(id);
     if brdf.params.k_s.iter().all(|k_s| *k_s <= 0.0) {
         // Nothing else means anything then.
         return vec![Concern::NoHighlight];
     }
-    if free(ParamId::S) && bins_above_half(brdf, space) < FEWEST_BINS {
+    if free(ParamId::S) && bins_above_half(brdf) < FEWEST_BINS {
         found.push(Concern::TooGlossy);
     }
     if free(ParamId::Eta) && brdf.params.eta < 1.0 + NEAR_ONE {
@@ -52,12 +51,11 @@ pub fn of(brdf: &Brdf, space: &Space, options: &Options, albedo: &[Rgb]) -> Vec<
 }
 
 /// In how many bins of θ_h the lobe is above half its height, for θ_d = 0.
-fn bins_above_half(brdf: &Brdf, space: &Space) -> usize {
+fn bins_above_half(brdf: &Brdf) -> usize {
     let plain = Brdf {
         fresnel: Fresnel::None,
         ..*brdf
     };
-    debug_assert!(space.variant.model == brdf.model);
     (0..crate::measured::grid::THETA_H_BINS)
         .take_while(|h| plain.specular_shape(&Grid::FOLDED.center(*h, 0, 0).cosines()) > 0.5)
         .count()

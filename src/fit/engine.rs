@@ -38,6 +38,9 @@ pub(super) struct Engine<'a, 'w> {
     evaluations: usize,
 }
 
+/// Fits what the variant contains, asking every now and then whether to go on.
+type Contained<'c> = &'c mut dyn FnMut(&mut dyn FnMut() -> ControlFlow<()>) -> Vec<Brdf>;
+
 /// How far a descent goes on some of the cells.
 struct Level<'a> {
     sites: &'a Sites,
@@ -69,10 +72,7 @@ impl<'a, 'w> Engine<'a, 'w> {
     }
 
     /// Runs the stages. `contained` are fits of variants that this one contains, as points of its own space.
-    pub fn run(
-        mut self,
-        contained: &mut dyn FnMut(&mut dyn FnMut() -> ControlFlow<()>) -> Vec<Brdf>,
-    ) -> Outcome {
+    pub fn run(mut self, contained: Contained) -> Outcome {
         let start = self.start();
         let mut best = self.measure(start);
         self.best = Some(best);
@@ -122,7 +122,7 @@ impl<'a, 'w> Engine<'a, 'w> {
                 (_, true) => Ended::Limit,
                 _ => Ended::Converged,
             },
-            concerns: concerns::of(&brdf, &self.space, self.options, &albedo),
+            concerns: concerns::of(&brdf, self.options, &albedo),
             albedo,
         }
     }
@@ -195,11 +195,7 @@ impl<'a, 'w> Engine<'a, 'w> {
 
     /// Stage 4: from the data's starts on the small sample, from the best of these, from the end of the stages
     /// before and from what is contained on the larger one, and from the best of all on all cells.
-    fn joint(
-        &mut self,
-        before: &Best,
-        contained: &mut dyn FnMut(&mut dyn FnMut() -> ControlFlow<()>) -> Vec<Brdf>,
-    ) -> Vec<Best> {
+    fn joint(&mut self, before: &Best, contained: Contained) -> Vec<Best> {
         let follow = Follow::Solved(self.space.limits);
         let mut found = Vec::new();
         let mut near: Vec<Candidate> = vec![before.candidate];

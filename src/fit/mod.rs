@@ -8,7 +8,7 @@
 //! Work is spread over the threads of the current rayon pool; results do not depend on their number.
 
 mod cells;
-mod concerns;
+pub mod concerns;
 mod contained;
 mod descent;
 mod engine;

@@ -33,17 +33,6 @@ impl Shape {
         }
     }
 
-    /// Puts the shape into parameters; what the variant does not have stays.
-    pub fn put(&self, variant: Variant, params: &mut Params) {
-        params.s = self.s * variant.model.exponent_ratio;
-        if variant.model.alpha.is_none() {
-            params.alpha = self.alpha;
-        }
-        if variant.fresnel != Fresnel::None {
-            params.eta = self.eta;
-        }
-    }
-
     /// As a point of the search.
     pub fn point(&self) -> Point {
         [

@@ -294,7 +294,7 @@ fn mirrored(phi_d: usize, copy: usize, grid: Grid) -> usize {
     debug_assert!(phi_d < SITES && copy < grid.phi_d_bins() / SITES);
     let half_turn = 2 * SITES * (copy / 2);
     half_turn
-        + if copy % 2 == 0 {
+        + if copy.is_multiple_of(2) {
             phi_d
         } else {
             2 * SITES - 1 - phi_d

@@ -1,6 +1,8 @@
 //! What the tests on the graphics adapter share.
 #![allow(dead_code, reason = "every test uses its own part of this")]
 
+pub mod window;
+
 use grazing::gpu::adapter::{Gpu, headless};
 use grazing::gpu::table_texture::TableTexture;
 

@@ -5,6 +5,7 @@ use crate::app::state::{SHOWS, Show, Theme};
 use crate::brdf::MODELS;
 use crate::brdf::fresnel::{FRESNELS, Fresnel};
 use crate::figure::scale::RADIAL_SCALES;
+use crate::fit::WEIGHTS;
 use crate::gpu::sphere::LIGHT_PRESETS;
 use crate::measured::samples::SAMPLES;
 use egui::{Key, KeyboardShortcut, Modifiers};
@@ -147,6 +148,57 @@ pub(super) fn entries() -> Vec<Entry> {
             fresnel_help(fresnel),
         );
     }
+
+    add(
+        "Fit",
+        "",
+        Command::Fit,
+        "Fit",
+        Some((CTRL, Key::F)),
+        "Fit the shown model to the shown material",
+    );
+    add(
+        "Fit",
+        "",
+        Command::FitAll,
+        "Fit all six",
+        Some((CTRL_SHIFT, Key::F)),
+        "Fit every model without and with the Fresnel factor, and compare them in a table",
+    );
+    add(
+        "Fit",
+        "",
+        Command::CancelFit,
+        "Cancel fit",
+        Some((Modifiers::NONE, Key::Escape)),
+        "Stop the fit and keep the best so far",
+    );
+    for weight in WEIGHTS {
+        add(
+            "Fit",
+            "Weight",
+            Command::UseWeight(weight),
+            weight.name(),
+            None,
+            weight.help(),
+        );
+    }
+    add(
+        "Fit",
+        "",
+        Command::ToggleFromSliders,
+        "Start from sliders",
+        None,
+        "Begin the fit at the present s, α and η instead of at what the data say",
+    );
+    add(
+        "Fit",
+        "",
+        Command::ToggleKeepOptimal,
+        "Keep ρd, ks optimal",
+        Some((CTRL, Key::K)),
+        "Find the best ρd and ks again whenever s, α, η or the model change",
+    );
 
     for show in SHOWS {
         add(

@@ -1,6 +1,10 @@
 //! The parts around the tiles. Each reads the state and pushes messages.
 
 pub mod dialogs;
+pub mod fit;
+pub mod fit_details;
+pub mod fit_result;
+pub mod fit_stages;
 pub mod library;
 pub mod menu;
 pub mod model;

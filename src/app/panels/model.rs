@@ -33,14 +33,10 @@ pub fn model_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
             ui.add_space(6.0);
             formula_ui(ui, brdf);
             ui.add_space(6.0);
-            for row in &params::ALL {
-                // The model's own row where it has one: ranges differ. The rest is shown greyed.
-                let row = brdf.model.param(row.id).unwrap_or(row);
-                ui.add_enabled_ui(brdf.uses(row.id), |ui| {
-                    param_ui(ui, &state.scene, brdf, row, out);
-                });
-                ui.add_space(4.0);
-            }
+            // The shape first: it is dragged most, and has to be in sight above the fit.
+            params_ui(ui, state, brdf, false, out);
+            optimal_ui(ui, state, out);
+            params_ui(ui, state, brdf, true, out);
             ui.separator();
             derived_ui(ui, brdf);
             ui.add_space(6.0);
@@ -58,6 +54,7 @@ pub fn model_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
                     }
                 }
             });
+            ui.add_space(6.0);
         });
 }
 
@@ -84,6 +81,34 @@ fn choices_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
             }
         });
     }
+}
+
+/// The sliders of the colours, or of the parameters that all channels share.
+fn params_ui(ui: &mut egui::Ui, state: &State, brdf: &Brdf, colors: bool, out: &mut Vec<Msg>) {
+    for row in params::ALL.iter().filter(|row| row.id.is_color() == colors) {
+        // The model's own row where it has one: ranges differ. The rest is shown greyed.
+        let row = brdf.model.param(row.id).unwrap_or(row);
+        let follows = state.fit.keep_optimal && colors;
+        ui.add_enabled_ui(brdf.uses(row.id) && !follows, |ui| {
+            param_ui(ui, &state.scene, brdf, row, out);
+        });
+        ui.add_space(4.0);
+    }
+}
+
+fn optimal_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+    let command = Command::ToggleKeepOptimal;
+    let mut on = state.fit.keep_optimal;
+    let tick = super::fit::tick_ui(
+        ui,
+        &mut on,
+        "keep ρ_{d}, k_{s} optimal",
+        "keep rho_d, k_s optimal",
+    );
+    if tick.on_hover_text(command.hint(ui.ctx())).changed() {
+        out.push(Msg::Run(command));
+    }
+    ui.add_space(4.0);
 }
 
 fn formula_ui(ui: &mut egui::Ui, brdf: &Brdf) {
@@ -207,7 +232,7 @@ fn slider_ui(ui: &mut egui::Ui, row: &Param, value: &mut f64) -> egui::Response 
 }
 
 /// Three significant digits, four where they are free; short enough for [`NUMBER_BOX`].
-fn plain_number(value: f64) -> String {
+pub(super) fn plain_number(value: f64) -> String {
     if value == 0.0 {
         return "0".into();
     }
@@ -247,7 +272,7 @@ fn derived_ui(ui: &mut egui::Ui, brdf: &Brdf) {
     rows.push((
         "k_{s}·R_{F}(0)",
         brdf.specular_at_normal(),
-        "Height of the lobe seen from above; as η → 1 only this product counts",
+        "Height of the lobe seen from above; as η nears 1 only this product counts",
     ));
     egui::Grid::new("derived")
         .num_columns(2)

@@ -1,5 +1,6 @@
 //! The line at the bottom: the probe's angles and values, and the jobs under way.
 
+use crate::app::command::Command;
 use crate::app::paint::rich_text_job;
 use crate::app::state::{Probe, State};
 use crate::app::update::Msg;
@@ -26,6 +27,7 @@ pub fn status_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
 
 fn jobs_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     let Some(job) = state.jobs.first() else {
+        fit_job_ui(ui, state, out);
         return;
     };
     let cancel = ui.small_button("×").on_hover_text("Stop");
@@ -39,6 +41,24 @@ fn jobs_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
         count => format!(" and {} more", count - 1),
     };
     ui.add(egui::Label::new(format!("Opening {}{more}", job.label)).truncate());
+}
+
+/// The fit under way: of another material than the one that is shown, it can be seen nowhere else.
+fn fit_job_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+    let Some(run) = state.fit.run.as_ref().filter(|run| !run.stopping) else {
+        return;
+    };
+    let cancel = ui
+        .small_button("×")
+        .on_hover_text(Command::CancelFit.hint(ui.ctx()));
+    cancel.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, "Stop fitting"));
+    if cancel.clicked() {
+        out.push(Msg::Run(Command::CancelFit));
+    }
+    ui.add(egui::ProgressBar::new(run.share()).desired_width(90.0));
+    let name = state.materials.get(&run.material);
+    let name = name.map_or("", |material| material.name.as_str());
+    ui.add(egui::Label::new(format!("Fitting {name}")).truncate());
 }
 
 fn probe_ui(ui: &mut egui::Ui, state: &State, probe: Probe) {

@@ -1,14 +1,17 @@
 //! The polar lobes in the plane of incidence.
 
 use crate::app::command::Command;
+use crate::app::fitting::{KeptFit, variant_name};
 use crate::app::formula::number;
 use crate::app::paint;
-use crate::app::state::{LobeTile, Probe, Scene, State};
+use crate::app::state::{LobeTile, Material, Probe, Scene, State};
 use crate::app::update::Msg;
-use crate::figure::lobes::{CHANNELS, Curve, LobePlot, LobeSpec};
-use crate::figure::palette::Palette;
+use crate::brdf::Fresnel;
+use crate::figure::lobes::{CHANNELS, Curve, LobePlot, LobeSpec, Look};
+use crate::figure::palette::{Palette, companion};
 use crate::figure::scale::RADIAL_SCALES;
 use crate::figure::text::RichText;
+use crate::fit::Variant;
 use crate::geom::{Rgb, direction};
 use egui::{CursorIcon, PointerButton, Sense, Vec2};
 use glam::DVec3;
@@ -38,23 +41,67 @@ pub fn lobes_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     let measured = |wi: DVec3, wo: DVec3| material.table.lookup(wi, wo, state.scene.lookup);
     let model = |wi: DVec3, wo: DVec3| opened.brdf.f_r(wi, wo);
     let series = state.scene.selected;
-    let curves = [
+    let beside = overlays(material, series);
+    let mut curves = vec![
         Curve {
             label: material.name.clone(),
-            dashed: false,
+            look: Look::Measured,
             series,
             f_r: &measured,
         },
         Curve {
             label: opened.brdf.model.name.to_string(),
-            dashed: true,
+            look: Look::Model,
             series,
             f_r: &model,
         },
     ];
+    curves.extend(beside.iter().map(|overlay| Curve {
+        label: variant_name(overlay.variant),
+        look: overlay.look,
+        series: overlay.series,
+        f_r: &overlay.f_r,
+    }));
     let plot = LobePlot::new(&spec(tile, probe_theta_o(state, tile)), &curves, size);
     paint::paint(ui.painter(), rect.min, &plot.drawing, &palette);
     interact(ui, &response, state, &plot, out);
+}
+
+/// A kept fit whose lobes are drawn beside the model's.
+struct Overlay<F> {
+    variant: Variant,
+    look: Look,
+    series: usize,
+    f_r: F,
+}
+
+/// The ticked fits of a material in the order of the models: a colour per model, dots without and dashes with Fresnel.
+fn overlays(
+    material: &Material,
+    series: usize,
+) -> Vec<Overlay<impl Fn(DVec3, DVec3) -> Option<Rgb>>> {
+    let mut ticked: Vec<&KeptFit> = material.fits.iter().filter(|fit| fit.overlaid).collect();
+    ticked.sort_by_key(|fit| (fit.variant().model.index(), fit.variant().fresnel.index()));
+    let overlay = |fit: &KeptFit| {
+        let (variant, brdf) = (fit.variant(), fit.outcome.brdf);
+        let (look, series) = look_beside(variant, series);
+        Overlay {
+            variant,
+            look,
+            series,
+            f_r: move |wi: DVec3, wo: DVec3| brdf.f_r(wi, wo),
+        }
+    };
+    ticked.into_iter().map(overlay).collect()
+}
+
+/// Line and colour of a variant beside the model of series `series`.
+pub(super) fn look_beside(variant: Variant, series: usize) -> (Look, usize) {
+    let long = variant.fresnel != Fresnel::None;
+    (
+        Look::Beside { long },
+        companion(series, variant.model.index()),
+    )
 }
 
 fn spec(tile: &LobeTile, probe_theta_o: Option<f64>) -> LobeSpec {

@@ -1,5 +1,6 @@
 //! The movable tiles in the middle.
 
+mod fits;
 mod lobes;
 mod sphere;
 pub mod sphere_callback;
@@ -13,6 +14,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 enum Pane {
     Sphere,
+    Fits,
     Lobes,
 }
 
@@ -21,10 +23,13 @@ pub struct Tiles(Tree<Pane>);
 
 impl Default for Tiles {
     fn default() -> Self {
-        Self(Tree::new_vertical(
-            egui::Id::unique("tiles"),
-            vec![Pane::Sphere, Pane::Lobes],
-        ))
+        let mut tiles = egui_tiles::Tiles::default();
+        // The lobes stay in sight under the table: its check boxes draw there.
+        let [sphere, fits, lobes] =
+            [Pane::Sphere, Pane::Fits, Pane::Lobes].map(|pane| tiles.insert_pane(pane));
+        let upper = tiles.insert_tab_tile(vec![sphere, fits]);
+        let root = tiles.insert_vertical_tile(vec![upper, lobes]);
+        Self(Tree::new(egui::Id::unique("tiles"), root, tiles))
     }
 }
 
@@ -32,6 +37,12 @@ impl Tiles {
     /// No tile at all.
     pub fn none() -> Self {
         Self(Tree::empty(egui::Id::unique("tiles")))
+    }
+
+    /// Brings the table of fits to the front.
+    pub fn show_fits(&mut self) {
+        self.0
+            .make_active(|_, tile| matches!(tile, egui_tiles::Tile::Pane(Pane::Fits)));
     }
 
     /// Draws them.
@@ -51,6 +62,7 @@ impl Behavior<Pane> for View<'_> {
             .inner_margin(8.0)
             .show(ui, |ui| match pane {
                 Pane::Sphere => sphere::sphere_ui(ui, self.state, self.out),
+                Pane::Fits => fits::fits_ui(ui, self.state, self.out),
                 Pane::Lobes => lobes::lobes_ui(ui, self.state, self.out),
             });
         UiResponse::None
@@ -59,6 +71,7 @@ impl Behavior<Pane> for View<'_> {
     fn tab_title_for_pane(&mut self, pane: &Pane) -> egui::WidgetText {
         match pane {
             Pane::Sphere => "Sphere",
+            Pane::Fits => "Fits",
             Pane::Lobes => "Polar lobes",
         }
         .into()

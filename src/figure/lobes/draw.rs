@@ -7,9 +7,6 @@ use crate::figure::drawing::{Anchor, Drawing, Item, Point};
 use crate::figure::palette::{Ink, Role};
 use crate::figure::text::RichText;
 
-/// Dash and gap in points, of models.
-pub(super) const DASH: [f32; 2] = [6.0, 3.5];
-
 pub(super) fn draw(
     spec: &LobeSpec,
     curves: &[Curve],
@@ -29,7 +26,7 @@ pub(super) fn draw(
     backdrop::ring_labels(&mut sheet);
     // The active lobes over the others, models over measurements.
     let mut order: Vec<&Trace> = traces.iter().collect();
-    order.sort_by_key(|trace| (trace.lobe == spec.active, curves[trace.curve].dashed));
+    order.sort_by_key(|trace| (trace.lobe == spec.active, curves[trace.curve].look));
     for trace in &order {
         lobe(
             &mut sheet,
@@ -53,8 +50,8 @@ fn legend(sheet: &mut Sheet, curves: &[Curve], plan: &Plan) {
         let swatch = (SWATCH_EM - 0.5) * sheet.font;
         sheet.drawing.dashed_line(
             vec![[*x, *y], [x + swatch, *y]],
-            2.0,
-            curve.dashed.then_some(DASH),
+            curve.look.width(),
+            curve.look.dash(),
             Role::Series(curve.series).into(),
         );
         let at = [x + SWATCH_EM * sheet.font, *y];
@@ -66,7 +63,7 @@ fn legend(sheet: &mut Sheet, curves: &[Curve], plan: &Plan) {
 /// A trace as polylines, broken where it has no value and where it leaves the rim.
 fn lobe(sheet: &mut Sheet, trace: &Trace, curve: &Curve, active: bool) {
     let ink = Ink::from(Role::Series(curve.series)).faded(if active { 1.0 } else { 0.5 });
-    let width = if active { 2.0 } else { 1.2 };
+    let width = curve.look.width() * if active { 1.0 } else { 0.6 };
     for points in runs(sheet.frame, trace) {
         if let [lone] = points[..] {
             sheet.drawing.items.push(Item::Dot {
@@ -76,7 +73,7 @@ fn lobe(sheet: &mut Sheet, trace: &Trace, curve: &Curve, active: bool) {
                 outline: None,
             });
         }
-        let dash = curve.dashed.then_some(DASH);
+        let dash = curve.look.dash();
         sheet.drawing.dashed_line(thinned(points), width, dash, ink);
     }
 }

@@ -17,7 +17,7 @@ fn closed_form(wi: DVec3, wo: DVec3) -> Option<Rgb> {
 fn curve(f_r: &dyn Fn(DVec3, DVec3) -> Option<Rgb>) -> Curve<'_> {
     Curve {
         label: "f".into(),
-        dashed: false,
+        look: Look::Measured,
         series: 0,
         f_r,
     }
@@ -205,7 +205,7 @@ fn hidden_curves_count_for_nothing() {
     let high = |_: DVec3, _: DVec3| Some([50.0; 3]);
     let curves = || {
         let model = Curve {
-            dashed: true,
+            look: Look::Model,
             ..curve(&high)
         };
         [curve(&closed_form), model]
@@ -217,6 +217,39 @@ fn hidden_curves_count_for_nothing() {
     let limit = |spec: &LobeSpec| LobePlot::new(spec, &curves(), SIZE).frame.axis.limit;
     assert_eq!(limit(&LobeSpec::default()), 50.0);
     assert_eq!(limit(&spec), 1.5);
+}
+
+/// Dash and colour of the lines of each curve of a plot with a measurement, a model and four fits beside it.
+fn looks() -> Vec<(Option<[f32; 2]>, Role)> {
+    let beside = [(1, false), (1, true), (2, false), (2, true)].map(|(series, long)| Curve {
+        look: Look::Beside { long },
+        series,
+        ..curve(&closed_form)
+    });
+    let model = Curve {
+        look: Look::Model,
+        ..curve(&closed_form)
+    };
+    let mut curves = vec![curve(&closed_form), model];
+    curves.extend(beside);
+    let plot = LobePlot::new(&LobeSpec::default(), &curves, SIZE);
+    let mut looks = Vec::new();
+    for item in &plot.drawing.items {
+        if let Item::Line { dash, ink, .. } = item
+            && matches!(ink.role, Role::Series(_))
+            && !looks.contains(&(*dash, ink.role))
+        {
+            looks.push((*dash, ink.role));
+        }
+    }
+    looks
+}
+
+#[test]
+fn fits_beside_the_model_all_look_different() {
+    let looks = looks();
+    assert_eq!(looks.len(), 6, "{looks:?}");
+    assert_eq!(looks.iter().filter(|(dash, _)| dash.is_none()).count(), 1);
 }
 
 /// Pairs of texts that overlap, and texts that stick out.

@@ -1,0 +1,224 @@
+//! The fit: what it is asked, and the button that starts and stops it.
+
+use super::{fit_result, fit_stages};
+use crate::app::command::Command;
+use crate::app::fitting::{FitMsg, Settings};
+use crate::app::paint::rich_text_job;
+use crate::app::state::State;
+use crate::app::update::Msg;
+use crate::brdf::params::ALL;
+use crate::brdf::{Brdf, Param};
+use crate::figure::text::RichText;
+use crate::fit::WEIGHTS;
+use crate::fit::options::default_bounds;
+
+/// Least and greatest grazing limit that is offered, in degrees.
+const LIMIT_DEG: std::ops::RangeInclusive<f64> = 20.0..=90.0;
+
+/// Draws the panel.
+pub fn fit_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+    // A panel is as high as what is in it: before anything is open, too.
+    ui.set_min_height(ui.available_height());
+    ui.add_space(4.0);
+    head_ui(ui, state, out);
+    let Some((_, opened)) = state.current() else {
+        ui.weak("Open a material to fit a model to it.");
+        return;
+    };
+    ui.add_space(2.0);
+    egui::ScrollArea::vertical()
+        .id_salt("fit")
+        .auto_shrink([false, false])
+        .show(ui, |ui| {
+            let before = &state.fit.settings;
+            let mut settings = before.clone();
+            weight_ui(ui, &mut settings);
+            if free_ui(ui, &mut settings, &opened.brdf) {
+                more_ui(ui, &mut settings, &opened.brdf);
+            }
+            ui.add_space(2.0);
+            fit_stages::stages_ui(ui, state, &mut settings);
+            fit_result::result_ui(ui, state, out);
+            if settings != *before {
+                out.push(Msg::Fit(FitMsg::Settings(settings)));
+            }
+        });
+}
+
+/// The heading with the buttons.
+fn head_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+    let running = state.fit.run.as_ref().is_some_and(|run| !run.stopping);
+    let (command, name) = if running {
+        (Command::CancelFit, "Cancel")
+    } else {
+        (Command::Fit, "Fit")
+    };
+    ui.horizontal(|ui| {
+        ui.heading("Fit");
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            let why_not = state.fit_blocked().unwrap_or_default();
+            let mut button =
+                |ui: &mut egui::Ui, command: Command, button: egui::Button, name: &str| {
+                    let response = ui
+                        .add_enabled(command.is_enabled(state), button)
+                        .on_hover_text(command.hint(ui.ctx()))
+                        .on_disabled_hover_text(why_not);
+                    // The menu has an entry of the same word.
+                    ui.ctx()
+                        .accesskit_node_builder(response.id, |node| node.set_label(name));
+                    if response.clicked() {
+                        out.push(Msg::Run(command));
+                    }
+                };
+            let main = egui::Button::new(name).min_size(egui::vec2(72.0, 0.0));
+            let label = if running {
+                "Stop the fit"
+            } else {
+                "Start the fit"
+            };
+            button(ui, command, main.selected(!running), label);
+            button(ui, Command::FitAll, egui::Button::new("All six"), "All six");
+        });
+    });
+}
+
+fn weight_ui(ui: &mut egui::Ui, settings: &mut Settings) {
+    ui.horizontal(|ui| {
+        ui.label("Weight");
+        let menu = egui::ComboBox::from_id_salt("weight")
+            .width(92.0)
+            .selected_text(settings.weight.name());
+        let menu = menu.show_ui(ui, |ui| {
+            for weight in WEIGHTS {
+                ui.selectable_value(&mut settings.weight, weight, weight.name())
+                    .on_hover_text(weight.help());
+            }
+        });
+        ui.ctx()
+            .accesskit_node_builder(menu.response.id, |node| node.set_label("Weight"));
+        menu.response.on_hover_text(settings.weight.help());
+        let label = ui.label("Limit");
+        let mut degrees = settings.limit.to_degrees();
+        let drag = egui::DragValue::new(&mut degrees)
+            .speed(0.2)
+            .range(LIMIT_DEG)
+            .suffix("°")
+            .max_decimals(1);
+        let response = ui.add(drag).labelled_by(label.id).on_hover_text(
+            "Grazing limit: cells with θi or θo above it do not count; 90° leaves none out.",
+        );
+        response.widget_info(|| {
+            egui::WidgetInfo::labeled(egui::Role::SpinButton, true, "Grazing limit")
+        });
+        if response.changed() {
+            settings.limit = degrees.to_radians();
+        }
+    });
+}
+
+/// A tick per parameter; returns whether start and bounds are to be shown.
+fn free_ui(ui: &mut egui::Ui, settings: &mut Settings, brdf: &Brdf) -> bool {
+    let id = egui::Id::unique("start and bounds");
+    let mut open = ui.data(|data| data.get_temp(id)).unwrap_or(false);
+    ui.horizontal_wrapped(|ui| {
+        ui.label("Free")
+            .on_hover_text("What the fit may move. The rest keeps the value of its slider.");
+        ui.spacing_mut().item_spacing.x = 10.0;
+        for (row, held) in ALL.iter().zip(&mut settings.held) {
+            ui.add_enabled_ui(brdf.uses(row.id), |ui| {
+                let mut free = !*held;
+                let tick = tick_ui(ui, &mut free, row.symbol, &format!("{} free", row.key))
+                    .on_hover_text(format!("Let the fit find the {}", row.name));
+                if tick.changed() {
+                    *held = !free;
+                }
+            });
+        }
+        let more = ui.selectable_label(open, "More");
+        if more.on_hover_text("Start and bounds").clicked() {
+            open = !open;
+            ui.data_mut(|data| data.insert_temp(id, open));
+        }
+    });
+    open
+}
+
+/// A check box with a marked-up label, named for screen readers and tests.
+pub fn tick_ui(ui: &mut egui::Ui, on: &mut bool, markup: &str, name: &str) -> egui::Response {
+    let color = if ui.is_enabled() {
+        ui.visuals().text_color()
+    } else {
+        ui.visuals().weak_text_color()
+    };
+    let job = rich_text_job(&RichText::parse(markup), 13.5, color);
+    let tick = ui.checkbox(on, egui::WidgetText::from(job));
+    let (is_enabled, is_on) = (ui.is_enabled(), *on);
+    tick.widget_info(|| egui::WidgetInfo::selected(egui::Role::CheckBox, is_enabled, is_on, name));
+    tick
+}
+
+/// What is seldom changed: where the fit begins, and bounds.
+fn more_ui(ui: &mut egui::Ui, settings: &mut Settings, brdf: &Brdf) {
+    egui::Frame::group(ui.style()).show(ui, |ui| {
+        ui.set_width(ui.available_width());
+        ui.checkbox(&mut settings.from_sliders, "Start from sliders")
+            .on_hover_text(Command::ToggleFromSliders.hint(ui.ctx()));
+        egui::Grid::new("bounds")
+            .num_columns(4)
+            .spacing([8.0, 3.0])
+            .show(ui, |ui| {
+                ui.weak("");
+                ui.weak("least");
+                ui.weak("most");
+                ui.end_row();
+                for (index, row) in ALL.iter().enumerate() {
+                    if !row.id.is_color() {
+                        // The model's own row where it has one: ranges differ.
+                        let row = brdf.model.param(row.id).unwrap_or(row);
+                        bounds_ui(ui, row, &mut settings.bounds[index]);
+                        ui.end_row();
+                    }
+                }
+            });
+    });
+}
+
+fn bounds_ui(ui: &mut egui::Ui, row: &Param, bounds: &mut Option<(f64, f64)>) {
+    let color = ui.visuals().text_color();
+    ui.label(rich_text_job(&RichText::parse(row.symbol), 13.5, color));
+    let (mut low, mut high) = bounds.unwrap_or_else(|| default_bounds(row));
+    let (least, most) = (default_bounds(row).0.min(row.range.0), row.domain.1);
+    let least = least.max(row.domain.0);
+    let mut changed = false;
+    let (lowest, highest) = (low, high);
+    let ends = [
+        (&mut low, least, highest, "least"),
+        (&mut high, lowest, most, "most"),
+    ];
+    for (value, from, to, end) in ends {
+        let speed = 0.005 * value.abs().max(1.0);
+        let drag = egui::DragValue::new(value)
+            .speed(speed)
+            .range(from..=to)
+            .custom_formatter(|value, _| super::model::plain_number(value));
+        let response = ui.add(drag);
+        response.widget_info(|| {
+            egui::WidgetInfo::labeled(egui::Role::SpinButton, true, format!("{} {end}", row.key))
+        });
+        changed |= response.changed();
+    }
+    if changed {
+        *bounds = Some((low, high));
+    }
+    let reset = ui.add_enabled(bounds.is_some(), egui::Button::new("Reset").small());
+    reset.widget_info(|| {
+        egui::WidgetInfo::labeled(
+            egui::Role::Button,
+            true,
+            format!("Reset bounds of {}", row.key),
+        )
+    });
+    if reset.on_hover_text("Back to the default bounds").clicked() {
+        *bounds = None;
+    }
+}

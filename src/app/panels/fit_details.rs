@@ -1,0 +1,104 @@
+//! All that is known of a kept fit, for hovering; and how E is written.
+
+use crate::app::fitting::{KeptFit, variant_name};
+use crate::app::formula::number;
+use crate::app::paint::rich_text_job;
+use crate::app::state::State;
+use crate::brdf::params::ALL;
+use crate::figure::text::RichText;
+use crate::fit::Weight;
+use crate::fit::outcome::ALBEDO_ANGLES;
+
+/// Marks an albedo.
+const ABOVE_ONE: &str = "   > 1";
+
+/// E in percent with two decimals, as markup.
+pub fn hundredths(error: f64) -> String {
+    if error.is_nan() {
+        "–".into()
+    } else if error < 100.0 {
+        format!("{:.2}", 100.0 * error)
+    } else {
+        number(100.0 * error)
+    }
+}
+
+/// E with its unit, as markup.
+pub fn percent(error: f64) -> String {
+    format!("{} %", hundredths(error))
+}
+
+/// What E means under a weight.
+pub fn meaning(weight: Weight) -> &'static str {
+    match weight {
+        Weight::Cosine => "E: the share of reflected energy that is misplaced under uniform light.",
+        Weight::SolidAngle => {
+            "E: Σ w |model − measured| / Σ w measured, each cell weighted by its solid angles."
+        }
+        Weight::Cells => "E: Σ |model − measured| / Σ measured, every cell counting the same.",
+    }
+}
+
+/// Errors, parameters, albedo, what was asked, and what to know.
+pub fn details_ui(ui: &mut egui::Ui, state: &State, kept: &KeptFit) {
+    ui.set_max_width(330.0);
+    let outcome = &kept.outcome;
+    ui.strong(variant_name(kept.variant()));
+    let mut lines = vec![("E".to_string(), percent(outcome.errors.total))];
+    if let Some(grazing) = outcome.errors.grazing {
+        lines.push(("E, θ ≥ 70°".into(), percent(grazing)));
+    }
+    let channels = outcome.errors.channels.map(percent).join("   ");
+    lines.push(("E of R, G, B".into(), channels));
+    let brdf = &outcome.brdf;
+    for row in ALL.iter().filter(|row| brdf.uses(row.id)) {
+        let values: Vec<String> = brdf.params.get(row.id).iter().map(|x| number(*x)).collect();
+        lines.push((row.symbol.into(), values.join("   ")));
+    }
+    // Of the brightest channel: the one that may exceed 1.
+    let highest = outcome
+        .albedo
+        .map(|albedo| albedo.into_iter().fold(0.0, f64::max));
+    let angles = ALBEDO_ANGLES.map(|angle| format!("{angle:.0}°")).join(", ");
+    let mark = if outcome.exceeds_one() { ABOVE_ONE } else { "" };
+    lines.push((
+        format!("albedo at {angles}"),
+        highest.map(|share| format!("{share:.2}")).join("   ") + mark,
+    ));
+    let mut took = format!("{} evaluations", outcome.evaluations);
+    if let Some(seconds) = kept.seconds {
+        took = format!("{seconds:.1} s, {took}");
+    }
+    lines.push((outcome.ended.key().into(), took));
+    egui::Grid::new("fit details")
+        .num_columns(2)
+        .spacing([14.0, 3.0])
+        .show(ui, |ui| {
+            let (weak, color) = (ui.visuals().weak_text_color(), ui.visuals().text_color());
+            for (name, value) in lines {
+                ui.label(rich_text_job(&RichText::parse(&name), 12.5, weak));
+                let color = if value.ends_with(ABOVE_ONE) {
+                    ui.visuals().warn_fg_color
+                } else {
+                    color
+                };
+                ui.label(rich_text_job(&RichText::parse(&value), 12.5, color));
+                ui.end_row();
+            }
+        });
+    ui.weak(kept.setup.text());
+    if state.is_stale(kept) {
+        ui.weak("The settings ask something else now.");
+    }
+    concerns_ui(ui, kept);
+}
+
+/// What to know before trusting the parameters.
+pub fn concerns_ui(ui: &mut egui::Ui, kept: &KeptFit) {
+    for concern in &kept.outcome.concerns {
+        let text = egui::RichText::new(concern.text())
+            .size(12.5)
+            .color(ui.visuals().warn_fg_color);
+        ui.add(egui::Label::new(text).wrap());
+    }
+}
