@@ -85,7 +85,9 @@ const BAND: f64 = 2e-4;
 /// Rounds at most; the band grows fourfold with each.
 const ROUNDS: usize = 5;
 /// With more cells than this in the band the model meets the data nearly exactly, and nothing is left to gain.
-const MOST_CELLS: usize = 100_000;
+const MOST_CELLS: usize = 50_000;
+/// With fewer cells than this all of them are in the band.
+const FEW_CELLS: usize = 2000;
 
 /// The exact minimum of stage 1 from amplitudes that are near.
 ///
@@ -94,7 +96,8 @@ const MOST_CELLS: usize = 100_000;
 /// short of that is the minimum of all, by convexity; else the band is laid anew from there, and wider.
 pub fn exact(sites: &Sites, shapes: &[f32], near: &Amplitudes, limits: &Limits) -> Amplitudes {
     let mut at = limits.clamp(*near);
-    let mut band = BAND;
+    let few = sites.cells < FEW_CELLS;
+    let mut band = if few { f64::INFINITY } else { BAND };
     let mut done = [false; 3];
     for _ in 0..ROUNDS {
         let sums = gather(sites, shapes, &at, limits, band, done);
@@ -143,6 +146,7 @@ fn gather(
     let floor: [f64; 3] = std::array::from_fn(|channel| floor(sites, channel));
     // So that |Δa + Δb·x| ≤ band · (a + b·x + 2 floor), for x is in [0, 1].
     let reach = |channel: usize, k: usize| match k {
+        _ if band.is_infinite() => f64::INFINITY,
         0 => band * (at.diffuse[channel] + floor[channel]),
         _ => band * (at.specular[channel] + floor[channel]),
     };
@@ -175,7 +179,7 @@ fn gather(
                     }
                     let model = at.diffuse[channel] + at.specular[channel] * cell.x;
                     let r = model - cell.f;
-                    if r.abs() <= band * (model + 2.0 * floor[channel]) {
+                    if band.is_infinite() || r.abs() <= band * (model + 2.0 * floor[channel]) {
                         sums[channel].cells.push(cell);
                     } else {
                         let slope = cell.w * r.signum();

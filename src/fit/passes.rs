@@ -19,6 +19,9 @@ pub struct Amplitudes {
     pub specular: [f64; 3],
 }
 
+/// The largest f32 below 1.
+const BELOW_ONE: f32 = 1.0 - 0.5 * f32::EPSILON;
+
 /// Rows that are summed in f32 before they are added to the rest.
 const ROWS_PER_SUM: usize = 6;
 
@@ -81,8 +84,10 @@ impl<S: Simd> RowLanes<S> {
         let phong = self.versine[1].mul_add(cos2, self.versine[0]).min(one);
         let versine = self.phong.mul_add(phong, self.blinn);
         let ln = versine.ln_one_minus();
+        let shape = (self.s * ln).exp_negative() * self.fresnel;
         Point {
-            shape: (self.s * ln).exp_negative() * self.fresnel,
+            // A cosine of 0 is 0 to every power; with s = 0.1 the smallest base that has a logarithm is not.
+            shape: shape.where_le(versine, Lanes::splat(simd, BELOW_ONE)),
             ln,
             phong,
             versine,

@@ -157,16 +157,23 @@ impl Descent {
     /// Takes the sums at `at`, and sets out for the next point or is done.
     fn learn(&mut self, sums: &ChannelSums, bounds: &[(f64, f64); 2], effort: Effort, share: f64) {
         let tolerance = effort.tolerance;
-        let better = sums.error < self.sums.error;
-        if better {
+        let narrow =
+            (effort.narrow * self.sums.error.min(sums.error) / share).clamp(NARROWEST, WIDEST);
+        if sums.error <= self.sums.error {
             self.best = self.at;
             self.sums = *sums;
             self.careful = false;
-        } else if self.careful {
+        } else if !self.careful {
+            self.careful = true;
+        } else if self.band > narrow {
+            // The rounded sum has its minimum here, the true one not yet: look again with less rounding.
+            self.band = (0.2 * self.band).max(narrow);
+            self.at = self.best;
+            self.careful = false;
+            return;
+        } else {
             // Even the parabola finds nothing better: what is left is rounding.
             self.done = true;
-        } else {
-            self.careful = true;
         }
         let ChannelSums {
             slope,
@@ -180,7 +187,6 @@ impl Descent {
         };
         let step = step_within(slope, matrix, self.best, bounds);
         let gain = -value(slope, matrix, step);
-        let narrow = (effort.narrow * error / share).clamp(NARROWEST, WIDEST);
         let met = error <= 1e-8 * share || !gain.is_finite();
         if met || (gain <= tolerance * error && self.band <= narrow) {
             self.done = true;

@@ -68,6 +68,8 @@ pub struct Sites {
     pub values: Vec<f32>,
     /// Number of blocks in all rows.
     pub blocks: usize,
+    /// Number of cells that count.
+    pub cells: usize,
     /// The unit of the values in 1/sr, a power of two.
     pub scale: f64,
     /// Σ w f per channel, of the sum over all.
@@ -136,6 +138,7 @@ impl Sites {
             copies,
             values: Vec::with_capacity(slabs.iter().map(|slab| slab.values.len()).sum()),
             blocks: 0,
+            cells: slabs.iter().map(|slab| slab.cells).sum(),
             scale,
             shares: sums.map(|sum| sum / total),
         };
@@ -196,6 +199,7 @@ struct Slab {
     rows: Vec<Row>,
     values: Vec<f32>,
     blocks: usize,
+    cells: usize,
     sums: [f64; 3],
     weights: f64,
     /// Row weights are in this unit, as f32 hold no 1e-40.
@@ -258,6 +262,7 @@ impl Slab {
                 let c = cos_phi[first + site].powi(2);
                 let w = self.unit * (w0 + w1 * c);
                 self.weights += w;
+                self.cells += 1;
                 for channel in 0..3 {
                     row[LANES * blocks * (3 * copy + channel) + site] = cell[channel];
                     self.sums[channel] += w * f64::from(cell[channel]);

@@ -28,6 +28,8 @@ pub struct Sum {
 
 /// Steps at most; a walk from a point nearby takes about ten.
 const STEPS: usize = 500;
+/// Lines through a point that are followed at most.
+const MOST_LINES: usize = 64;
 
 impl Sum {
     /// The sum at (a, b), up to a constant of the cells that are not here.
@@ -78,6 +80,8 @@ impl Sum {
         // Cells with the same x share a line.
         found.sort_by(|p, q| p[0].total_cmp(&q[0]));
         found.dedup();
+        // More than a few lines through one point mean that the model meets the data, and nothing is left to gain.
+        found.truncate(MOST_LINES);
         found
     }
 
