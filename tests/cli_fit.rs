@@ -347,7 +347,6 @@ fn options_are_kept_and_a_model_without_a_parameter_does_without() {
 }
 
 #[test]
-#[ignore = "the placeholder for the engine holds nothing"]
 fn what_is_held_comes_back() {
     let folder = Folder::new();
     let file = material(&folder, "a.binary", 12.0);

@@ -114,7 +114,8 @@ impl<'a, 'w> Engine<'a, 'w> {
         let albedo = ALBEDO_ANGLES.map(|degrees| albedo::albedo(&brdf, degrees.to_radians()));
         Outcome {
             brdf,
-            errors: best.errors,
+            // Of the parameters as they are given out: the search's own differ from them by a rounding.
+            errors: self.problem.errors(&brdf),
             evaluations: self.stages.iter().map(|stage| stage.evaluations).sum(),
             stages: self.stages,
             ended: match (self.cancelled, self.exhausted) {
@@ -435,6 +436,9 @@ impl<'a, 'w> Engine<'a, 'w> {
         error: f64,
         all_cells: bool,
     ) -> ControlFlow<()> {
+        if self.cancelled {
+            return ControlFlow::Break(());
+        }
         let progress = Progress {
             stage: self.stage,
             brdf: self.brdf(candidate),

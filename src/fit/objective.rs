@@ -95,6 +95,15 @@ impl Space {
         params.s = s * self.variant.model.exponent_ratio;
         params.alpha = alpha;
         params.eta = eta;
+        // Where the search has not moved from what was given, that comes out to its last digit.
+        let given = options.start.over(params);
+        let unmoved = Shape::of(self.variant, &given).point();
+        if unmoved[0] == candidate.point[0] {
+            params.s = given.s;
+        }
+        if unmoved[2] == candidate.point[2] {
+            params.eta = given.eta;
+        }
         // Rounding of logarithms must not step over a bound or off a held value.
         for row in self
             .variant

@@ -153,8 +153,13 @@ impl Sites {
                 sites.rows.push(row);
             }
             sites.blocks += slab.blocks;
-            let factor = (1.0 / scale) as f32;
-            let scaled = |value: f32| if value < 0.0 { ABSENT } else { value * factor };
+            let scaled = |value: f32| {
+                if value < 0.0 {
+                    ABSENT
+                } else {
+                    (f64::from(value) / scale) as f32
+                }
+            };
             sites.values.extend(slab.values.into_iter().map(scaled));
             sites.slabs.push(first..sites.rows.len());
         }

@@ -11,7 +11,7 @@ const ALPHAS: [f64; 3] = [0.0, 0.5, 1.0];
 /// η − 1: a steep rise towards grazing, glass, hardly any rise.
 const ETAS_LESS_1: [f64; 3] = [0.12, 0.5, 3.0];
 /// How many starts are followed.
-const STARTS: usize = 4;
+const STARTS: usize = 5;
 
 /// The most promising points, the best first: local minima of the grid.
 pub fn from_data(coarse: &Sites, space: &Space) -> Vec<Candidate> {
@@ -77,6 +77,7 @@ fn best_minima(grid: &[Vec<Candidate>]) -> Vec<Candidate> {
         let near = |other: &Candidate| {
             (candidate.point[0] - other.point[0]).abs() < 1.2
                 && (candidate.point[1] - other.point[1]).abs() < 0.6
+                && (candidate.point[2] - other.point[2]).abs() < 1.0
         };
         if starts.len() < STARTS && !starts.iter().any(near) {
             starts.push(candidate);
