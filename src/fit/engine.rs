@@ -10,7 +10,7 @@ use super::regression::{self, Effort, Limits};
 use super::shape::{Lobe, Point, Shape, Threads};
 use super::sites::Sites;
 use super::{Problem, Watch, concerns, starts};
-use crate::brdf::{Brdf, albedo};
+use crate::brdf::{Brdf, Params, albedo};
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
@@ -32,7 +32,8 @@ pub(super) struct Engine<'a, 'w> {
     exhausted: bool,
     /// The starts that the data suggest, once they are asked for.
     starts: Option<Vec<Candidate>>,
-    best: Option<Best>,
+    /// Contained fits, with the numbers that they were given out with.
+    known: Vec<(Candidate, Params)>,
     stages: Vec<StageReport>,
     stage: Stage,
     evaluations: usize,
@@ -64,7 +65,7 @@ impl<'a, 'w> Engine<'a, 'w> {
             cancelled: false,
             exhausted: false,
             starts: None,
-            best: None,
+            known: Vec::new(),
             stages: Vec::new(),
             stage: Stage::Amplitudes,
             evaluations: 0,
@@ -75,7 +76,6 @@ impl<'a, 'w> Engine<'a, 'w> {
     pub fn run(mut self, contained: Contained) -> Outcome {
         let start = self.start();
         let mut best = self.measure(start);
-        self.best = Some(best);
         for stage in STAGES.into_iter().filter(|stage| self.options.runs(*stage)) {
             if self.cancelled {
                 break;
@@ -95,7 +95,6 @@ impl<'a, 'w> Engine<'a, 'w> {
                     best = found;
                 }
             }
-            self.best = Some(best);
             self.stages.push(StageReport {
                 stage,
                 start: self.brdf(&before.candidate),
@@ -214,6 +213,10 @@ impl<'a, 'w> Engine<'a, 'w> {
                 error: f64::INFINITY,
             };
             near.push(candidate);
+            let mut params = brdf.params;
+            params.s *= self.space.variant.model.exponent_ratio / brdf.model.exponent_ratio;
+            params.alpha = brdf.model.alpha.unwrap_or(params.alpha);
+            self.known.push((candidate, params));
             found.push(self.measure(candidate));
         }
         if self.cancelled {
@@ -418,6 +421,13 @@ impl<'a, 'w> Engine<'a, 'w> {
     }
 
     fn brdf(&self, candidate: &Candidate) -> Brdf {
+        // Through logarithms and back a number may differ in its last digit, and a fit be worse than one it contains.
+        let is_this = |known: &&(Candidate, Params)| {
+            known.0.point == candidate.point && known.0.amplitudes == candidate.amplitudes
+        };
+        if let Some((_, params)) = self.known.iter().find(is_this) {
+            return self.space.variant.with(*params);
+        }
         self.space
             .variant
             .with(self.space.params(candidate, self.options))

@@ -62,7 +62,7 @@ fn brighter_data_give_a_brighter_model_of_the_same_shape() {
     let wanted = with_amplitudes_times(&plain.brdf, factor.into());
     let off = distance(&scaled.brdf, &wanted);
     assert!(off < 3e-2, "off by {off}: {scaled:?} {plain:?}");
-    assert!((scaled.errors.total / plain.errors.total - 1.0).abs() < 1e-5);
+    assert!((scaled.errors.total / plain.errors.total - 1.0).abs() < 1e-4);
     // Planted: the amplitudes left as they were.
     assert!(distance(&plain.brdf, &wanted) > 5e-3);
 }
