@@ -1,18 +1,18 @@
 //! The stages, one after the other.
 
+mod descents;
+
 use super::cells;
-use super::descent::{self, Rules};
-use super::objective::{Candidate, Follow, Objective, Space};
+use super::objective::{Candidate, Follow, Space};
 use super::options::{Options, STAGES, Stage, Variant};
 use super::outcome::{ALBEDO_ANGLES, Ended, Errors, Outcome, Progress, StageReport};
 use super::passes::Amplitudes;
 use super::regression::{self, Effort, Limits};
 use super::shape::{Lobe, Point, Shape, Threads};
-use super::sites::Sites;
 use super::{Problem, Watch, concerns, starts};
 use crate::brdf::{Brdf, Params, albedo};
-use glam::{DMat3, DVec3};
-use rayon::prelude::*;
+use descents::Level;
+use glam::DMat3;
 use std::ops::ControlFlow;
 
 /// A candidate's E over all cells, with the solution made exact.
@@ -41,14 +41,6 @@ pub(super) struct Engine<'a, 'w> {
 
 /// Fits what the variant contains, asking every now and then whether to go on.
 type Contained<'c> = &'c mut dyn FnMut(&mut dyn FnMut() -> ControlFlow<()>) -> Vec<Brdf>;
-
-/// How far a descent goes on some of the cells.
-struct Level<'a> {
-    sites: &'a Sites,
-    threads: Threads,
-    tolerance: f64,
-    evaluations: usize,
-}
 
 impl<'a, 'w> Engine<'a, 'w> {
     pub fn new(
@@ -266,118 +258,6 @@ impl<'a, 'w> Engine<'a, 'w> {
         found
     }
 
-    /// Descents on a sample from several points, each on a thread of its own.
-    fn descend_side_by_side(
-        &mut self,
-        starts: impl Iterator<Item = (Candidate, Option<DMat3>)>,
-        level: &Level,
-        follow: Follow,
-    ) -> Vec<(Candidate, Option<DMat3>)> {
-        let starts: Vec<_> = starts.collect();
-        let fresnel = self.space.variant.fresnel;
-        let rules = self.rules(level);
-        let ends: Vec<_> = starts
-            .par_iter()
-            .map(|(start, curvature)| {
-                let mut objective =
-                    Objective::new(level.sites, fresnel, follow, Some(start), level.threads);
-                let mut evaluate = |p: DVec3| Some(objective.value(p.to_array()));
-                let end = descent::descend(
-                    DVec3::from_array(start.point),
-                    *curvature,
-                    &rules,
-                    &mut evaluate,
-                );
-                let curvature = end.and_then(|end| end.curvature);
-                (
-                    objective.best.unwrap_or(*start),
-                    curvature,
-                    objective.evaluations,
-                )
-            })
-            .collect();
-        self.evaluations += ends.iter().map(|end| end.2).sum::<usize>();
-        ends.into_iter()
-            .map(|(end, curvature, _)| (end, curvature))
-            .collect()
-    }
-
-    /// A descent on the larger sample and then on all cells.
-    fn descend_levels(&mut self, start: &Candidate, follow: Follow) -> Candidate {
-        let medium = Level {
-            sites: &self.problem.medium,
-            threads: Threads::One,
-            tolerance: 1e-5,
-            evaluations: 60,
-        };
-        let near = std::iter::once((*start, None));
-        let ends = self.descend_side_by_side(near, &medium, follow);
-        self.show_best(&ends);
-        match ends.first() {
-            Some((end, curvature)) if !self.cancelled => self.descend_all(end, *curvature, follow),
-            _ => *start,
-        }
-    }
-
-    /// A descent on all cells, watched at every step.
-    fn descend_all(
-        &mut self,
-        start: &Candidate,
-        curvature: Option<DMat3>,
-        follow: Follow,
-    ) -> Candidate {
-        let level = Level {
-            sites: &self.problem.all,
-            threads: Threads::Many,
-            tolerance: 1e-5,
-            evaluations: 60,
-        };
-        let rules = self.rules(&level);
-        let mut objective = self.objective(level.sites, follow, Some(start));
-        let mut evaluate = |p: DVec3| {
-            let value = objective.value(p.to_array());
-            self.evaluations += 1;
-            let best = objective.best?;
-            self.report_progress(&best, best.error, true)
-                .is_continue()
-                .then_some(value)
-        };
-        let end = descent::descend(
-            DVec3::from_array(start.point),
-            curvature,
-            &rules,
-            &mut evaluate,
-        );
-        if end.is_some_and(|end| !end.converged) {
-            self.exhausted = true;
-        }
-        objective.best.unwrap_or(*start)
-    }
-
-    fn rules(&self, level: &Level) -> Rules {
-        Rules {
-            bounds: self.space.bounds,
-            tolerance: level.tolerance,
-            evaluations: level.evaluations,
-            first_step: 0.15,
-        }
-    }
-
-    fn objective(
-        &self,
-        sites: &'a Sites,
-        follow: Follow,
-        near: Option<&Candidate>,
-    ) -> Objective<'a> {
-        Objective::new(
-            sites,
-            self.space.variant.fresnel,
-            follow,
-            near,
-            Threads::Many,
-        )
-    }
-
     /// E over all cells as it is reported.
     fn measure(&self, candidate: Candidate) -> Best {
         let shapes = self.shapes(candidate.point);
@@ -478,18 +358,17 @@ impl<'a, 'w> Engine<'a, 'w> {
     }
 }
 
-/// The best amplitudes within limits for a shape, and E: stage 1 alone.
+/// The best amplitudes within limits for the shape of a model, whatever its own are: stage 1 alone.
 pub(super) fn best_amplitudes(problem: &Problem, brdf: &Brdf, limits: &Limits) -> Amplitudes {
-    let (lobe, near) = problem.parts(brdf);
+    let all = &problem.all;
+    let (lobe, _) = problem.parts(brdf);
     let mut shapes = Vec::new();
-    lobe.fill(&problem.all, &mut shapes, Threads::Many);
-    let (near, _) = regression::solve(
-        &problem.all,
-        &shapes,
-        &near,
-        limits,
-        Effort::CLOSE,
-        Threads::Many,
-    );
-    cells::exact(&problem.all, &shapes, &near, limits)
+    lobe.fill(all, &mut shapes, Threads::Many);
+    let start = regression::cold(all, limits);
+    let effort = Effort {
+        band: Effort::COLD.band,
+        ..Effort::CLOSE
+    };
+    let (near, _) = regression::solve(all, &shapes, &start, limits, effort, Threads::Many);
+    cells::exact(all, &shapes, &near, limits)
 }
