@@ -18,11 +18,12 @@ fn for_each_cell(
     let count = row.blocks * LANES;
     let shapes = &shapes[row.site_block * LANES..][..count];
     let cos2 = sites.cos2_of(row);
-    let values =
-        &sites.values[row.site_block * LANES * 3 * sites.copies..][..3 * sites.copies * count];
-    for (plane, values) in values.chunks_exact(count).enumerate() {
-        for (site, f) in values.iter().enumerate() {
+    let values = sites.values_of(row);
+    for (plane, lanes) in values.chunks_exact(LANES).enumerate() {
+        let block = plane / (3 * sites.copies);
+        for (lane, f) in lanes.iter().enumerate() {
             if *f >= 0.0 {
+                let site = block * LANES + lane;
                 let cell = Cell {
                     x: f64::from(shapes[site]),
                     f: f64::from(*f),

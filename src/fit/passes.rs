@@ -3,6 +3,10 @@
 //! Sums are in f32 over a few rows, in f64 beyond; the parts are those of the θh slabs and are added in their order,
 //! so that the number of threads changes nothing.
 
+mod sums;
+
+pub use sums::{ChannelSums, regression};
+
 use super::lanes::{self, Kernel, LANES, Lanes, vectors};
 use super::shape::{Lobe, RowLobe, Threads};
 use super::sites::{Row, Sites};
@@ -95,6 +99,20 @@ impl<S: Simd> RowLanes<S> {
     }
 }
 
+/// Vectors per block.
+#[inline(always)]
+const fn per_block<S: Simd>() -> usize {
+    LANES / S::F32_LANES
+}
+
+/// The values at the sites of the `vector`-th vector of a row: every [`per_block`]-th of what is returned.
+#[inline(always)]
+fn block_of<S: Simd, const COPIES: usize>(values: &[S::f32s], vector: usize) -> &[S::f32s] {
+    let block = 3 * COPIES * per_block::<S>();
+    let start = vector / per_block::<S>() * block + vector % per_block::<S>();
+    &values[start..][..block - per_block::<S>() + 1]
+}
+
 struct Fill<'a> {
     lobe: &'a Lobe,
     sites: &'a Sites,
@@ -184,15 +202,17 @@ impl<const GRADIENT: bool> ErrorPass<'_, GRADIENT> {
                 let lanes = RowLanes::new(simd, row, &lobe);
                 let versine4 = splat(lobe.versine4);
                 let mut by_eta = zero;
-                let values = self.sites.values_of::<S, COPIES>(row);
+                let values = vectors::<S>(self.sites.values_of(row));
                 for (site, cos2) in vectors::<S>(self.sites.cos2_of(row)).iter().enumerate() {
                     let cos2 = Lanes::new(simd, *cos2);
                     let point = lanes.point(simd, cos2);
                     let weight = lanes.weight(cos2);
                     let mut push = zero;
-                    for values in values {
-                        let [r, g, b] = values;
-                        let measured = [r[site], g[site], b[site]].map(|m| Lanes::new(simd, m));
+                    let values = block_of::<S, COPIES>(values, site);
+                    for copy in 0..COPIES {
+                        let measured: [_; 3] = std::array::from_fn(|channel| {
+                            Lanes::new(simd, values[(3 * copy + channel) * per_block::<S>()])
+                        });
                         let weight = weight.where_le(zero, measured[0]);
                         for channel in 0..3 {
                             let model = specular[channel].mul_add(point.shape, diffuse[channel]);
@@ -268,124 +288,4 @@ fn pass<const GRADIENT: bool>(
         (0..3).for_each(|k| sum.gradient[k] += part.gradient[k]);
     });
     sum
-}
-
-/// What one channel's regression learns from a pass at (a, b): sums over its cells of w and x = R_F · lobe.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ChannelSums {
-    /// Σ w |r|
-    pub error: f64,
-    /// Slopes of Σ w ρ(r) in a and b, where ρ is |r|, rounded off within the band.
-    pub slope: [f64; 2],
-    /// Second derivatives aa, ab, bb: Σ w/band over the residuals within the band.
-    pub curvature: [f64; 3],
-    /// Second derivatives of a parabola that lies above everywhere: Σ w/max(|r|, band).
-    pub majorant: [f64; 3],
-}
-
-struct RegressionPass<'a> {
-    sites: &'a Sites,
-    rows: &'a [Row],
-    shapes: &'a [f32],
-    amplitudes: &'a Amplitudes,
-    bands: [f32; 3],
-    floor: [f32; 3],
-}
-
-impl Kernel for RegressionPass<'_> {
-    type Output = [ChannelSums; 3];
-    #[inline(always)]
-    fn run<S: Simd>(self, simd: S) -> [ChannelSums; 3] {
-        match self.sites.copies {
-            2 => self.sum::<S, 2>(simd),
-            _ => self.sum::<S, 4>(simd),
-        }
-    }
-}
-
-impl RegressionPass<'_> {
-    #[inline(always)]
-    fn sum<S: Simd, const COPIES: usize>(self, simd: S) -> [ChannelSums; 3] {
-        let splat = |x: f32| Lanes::splat(simd, x);
-        let zero = splat(0.0);
-        let mut sums = [ChannelSums::default(); 3];
-        for (channel, sum) in sums.iter_mut().enumerate() {
-            let a = splat(self.amplitudes.diffuse[channel] as f32);
-            let b = splat(self.amplitudes.specular[channel] as f32);
-            let (band, floor) = (splat(self.bands[channel]), splat(self.floor[channel]));
-            for rows in self.rows.chunks(ROWS_PER_SUM) {
-                let mut error = zero;
-                let mut slope = [zero; 2];
-                let [mut curvature, mut majorant] = [[zero; 3]; 2];
-                for row in rows {
-                    let [w0, w1] = row.weight.map(splat);
-                    let shapes = &self.shapes[row.site_block * LANES..][..row.blocks * LANES];
-                    let cos2 = vectors::<S>(self.sites.cos2_of(row));
-                    let values = self.sites.values_of::<S, COPIES>(row);
-                    for (site, (cos2, x)) in cos2.iter().zip(vectors::<S>(shapes)).enumerate() {
-                        let x = Lanes::new(simd, *x);
-                        let weight = w1.mul_add(Lanes::new(simd, *cos2), w0);
-                        let model = b.mul_add(x, a);
-                        let width = band.mul_add(model, floor);
-                        let [mut push, mut inside, mut all] = [zero; 3];
-                        for values in values {
-                            let measured = Lanes::new(simd, values[channel][site]);
-                            let weight = weight.where_le(zero, measured);
-                            let r = model - measured;
-                            let size = r.abs();
-                            error = weight.mul_add(size, error);
-                            let w = weight / size.max(width);
-                            push = w.mul_add(r, push);
-                            all = all + w;
-                            inside = inside + w.where_le(size, width);
-                        }
-                        slope[0] = slope[0] + push;
-                        slope[1] = push.mul_add(x, slope[1]);
-                        for (sums, w) in [(&mut curvature, inside), (&mut majorant, all)] {
-                            let wx = w * x;
-                            sums[0] = sums[0] + w;
-                            sums[1] = sums[1] + wx;
-                            sums[2] = wx.mul_add(x, sums[2]);
-                        }
-                    }
-                }
-                sum.error += error.total();
-                (0..2).for_each(|k| sum.slope[k] += slope[k].total());
-                (0..3).for_each(|k| sum.curvature[k] += curvature[k].total());
-                (0..3).for_each(|k| sum.majorant[k] += majorant[k].total());
-            }
-        }
-        sums
-    }
-}
-
-/// The sums of all channels at these amplitudes. A channel's band is `bands · f̂ + floor`, f̂ its model.
-pub fn regression(
-    sites: &Sites,
-    shapes: &[f32],
-    amplitudes: &Amplitudes,
-    bands: [f64; 3],
-    floor: [f64; 3],
-    threads: Threads,
-) -> [ChannelSums; 3] {
-    let work = |slab: Range<usize>| {
-        lanes::dispatch(RegressionPass {
-            sites,
-            rows: &sites.rows[slab],
-            shapes,
-            amplitudes,
-            bands: bands.map(|x| x as f32),
-            floor: floor.map(|x| x as f32),
-        })
-    };
-    let mut sums = [ChannelSums::default(); 3];
-    over_slabs(sites, threads, work, |part| {
-        for (sum, part) in sums.iter_mut().zip(part) {
-            sum.error += part.error;
-            (0..2).for_each(|k| sum.slope[k] += part.slope[k]);
-            (0..3).for_each(|k| sum.curvature[k] += part.curvature[k]);
-            (0..3).for_each(|k| sum.majorant[k] += part.majorant[k]);
-        }
-    });
-    sums
 }

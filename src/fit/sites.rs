@@ -9,12 +9,11 @@
 //!
 //! so that a pass reads f_r and hardly anything else.
 
-use super::lanes::{LANES, vectors};
+use super::lanes::LANES;
 use super::options::{GRAZING, Weight};
 use super::problem::ProblemError;
 use crate::measured::Table;
 use crate::measured::grid::{Grid, THETA_D_BINS, THETA_H_BINS};
-use pulp::Simd;
 use rayon::prelude::*;
 use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
@@ -64,7 +63,7 @@ pub struct Sites {
     pub cos2: Vec<f32>,
     /// Cells per site: 2, or 4 where φd covers the whole turn.
     pub copies: usize,
-    /// f_r / `scale` or [`ABSENT`]: per row for each copy and channel the sites one after the other.
+    /// f_r / `scale` or [`ABSENT`]: block by block, in each by copy and channel, so that a pass reads one stream.
     pub values: Vec<f32>,
     /// Number of blocks in all rows.
     pub blocks: usize,
@@ -172,23 +171,22 @@ impl Sites {
         &self.cos2[row.first..][..row.blocks * LANES]
     }
 
-    /// The values of a row per cell of a site and channel.
+    /// The values of a row: block by block, in each by copy and channel.
     #[inline(always)]
-    pub fn values_of<S: Simd, const COPIES: usize>(&self, row: &Row) -> [[&[S::f32s]; 3]; COPIES] {
-        let plane = row.blocks * LANES;
-        let start = row.site_block * LANES * 3 * COPIES;
-        let values = &self.values[start..start + 3 * COPIES * plane];
-        std::array::from_fn(|copy| {
-            std::array::from_fn(|channel| {
-                vectors::<S>(&values[(3 * copy + channel) * plane..][..plane])
-            })
-        })
+    pub fn values_of(&self, row: &Row) -> &[f32] {
+        let block = 3 * self.copies * LANES;
+        &self.values[row.site_block * block..][..row.blocks * block]
     }
 
     /// Bytes that a pass reads of the data.
     pub fn bytes(&self) -> usize {
         size_of_val(&self.values[..])
     }
+}
+
+/// Where a cell's value is among those of its row.
+pub fn place(copies: usize, site: usize, copy: usize, channel: usize) -> usize {
+    LANES * (site / LANES * 3 * copies + 3 * copy + channel) + site % LANES
 }
 
 /// `count` of `bins` bins, in the middle of equal shares.
@@ -269,7 +267,7 @@ impl Slab {
                 self.weights += w;
                 self.cells += 1;
                 for channel in 0..3 {
-                    row[LANES * blocks * (3 * copy + channel) + site] = cell[channel];
+                    row[place(copies, site, copy, channel)] = cell[channel];
                     self.sums[channel] += w * f64::from(cell[channel]);
                 }
             }
