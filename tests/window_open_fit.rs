@@ -2,48 +2,25 @@
 
 mod common;
 
+use common::window::Window;
 use common::{skip_gpu, write_merl};
-use egui_kittest::Harness;
 use grazing::app::state::{Level, Notice, State};
 use grazing::app::update::Msg;
-use grazing::app::{App, Options, Picker};
 use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
 use grazing::files;
 use grazing::files::fits::{FitRecord, SourceFile, write_json};
 use grazing::fit::{Ended, Errors, Weight};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::time::{Duration, Instant};
-
-type Window = Harness<'static, App>;
 
 fn window(files: &[&Path]) -> Window {
     let files = files.iter().map(|file| file.to_path_buf()).collect();
-    let picker = Picker {
-        open: Arc::new(Vec::new),
-        save: Arc::new(|_| None),
-    };
-    let mut window = Harness::builder()
-        .with_size([1280.0, 800.0])
-        .with_step_dt(0.03)
-        .with_theme(egui::Theme::Dark)
-        .wgpu()
-        .build_eframe(move |cc| App::new(cc, Options { files, picker }).expect("a renderer"));
-    settle(&mut window);
-    window
+    common::window::window(files, Vec::new())
 }
 
-/// Steps until nothing is loaded any more. The limit is for a broken program, not a measure.
+/// Steps until nothing is loaded any more.
 fn settle(window: &mut Window) {
-    let start = Instant::now();
-    window.step();
-    while !window.state().state().jobs.is_empty() {
-        assert!(start.elapsed() < Duration::from_secs(60));
-        std::thread::sleep(Duration::from_millis(5));
-        window.step();
-    }
-    window.run_steps(3);
+    common::window::settle(window, |state| state.jobs.is_empty());
 }
 
 fn open(window: &mut Window, file: &Path) {

@@ -124,7 +124,7 @@ impl<'a, 'w> Engine<'a, 'w> {
         let given = self.options.start;
         let variant = self.space.variant;
         let complete = variant.model.params.iter().all(|row| {
-            let brdf = variant.with(crate::brdf::Params::default());
+            let brdf = variant.with(Params::default());
             row.id.is_color()
                 || !brdf.uses(row.id)
                 || given.has(row.id)
@@ -137,7 +137,7 @@ impl<'a, 'w> Engine<'a, 'w> {
         };
         let mut params = match from_data {
             Some(start) => self.space.params(&start, self.options),
-            None => crate::brdf::Params::default(),
+            None => Params::default(),
         };
         params = self.options.held.over(given.over(params));
         let point = self.space.clamp(Shape::of(variant, &params).point());
@@ -205,9 +205,7 @@ impl<'a, 'w> Engine<'a, 'w> {
                 error: f64::INFINITY,
             };
             near.push(candidate);
-            let mut params = brdf.params;
-            params.s *= self.space.variant.model.exponent_ratio / brdf.model.exponent_ratio;
-            params.alpha = brdf.model.alpha.unwrap_or(params.alpha);
+            let params = brdf.with_model(self.space.variant.model).params;
             self.known.push((candidate, params));
             found.push(self.measure(candidate));
         }
@@ -215,17 +213,8 @@ impl<'a, 'w> Engine<'a, 'w> {
             return found;
         }
         let starts = self.starts().to_vec();
-        let coarse = Level {
-            sites: &self.problem.coarse,
-            threads: Threads::One,
-            tolerance: 1e-4,
-            evaluations: 60,
-        };
-        let mut ends = self.descend_side_by_side(
-            starts.into_iter().map(|start| (start, None)),
-            &coarse,
-            follow,
-        );
+        let starts = starts.into_iter().map(|start| (start, None));
+        let mut ends = self.descend_side_by_side(starts, &Level::coarse(self.problem), follow);
         self.show_best(&ends);
         if self.cancelled {
             return found;
@@ -238,12 +227,7 @@ impl<'a, 'w> Engine<'a, 'w> {
         ends.dedup_by(|a, b| starts::same(a.0.point, b.0.point));
         ends.truncate(2);
         ends.extend(near.into_iter().map(|candidate| (candidate, None)));
-        let medium = Level {
-            sites: &self.problem.medium,
-            threads: Threads::One,
-            tolerance: 1e-5,
-            evaluations: 60,
-        };
+        let medium = Level::medium(self.problem);
         let mut ends = self.descend_side_by_side(ends.into_iter(), &medium, follow);
         self.show_best(&ends);
         if self.cancelled {
@@ -287,10 +271,7 @@ impl<'a, 'w> Engine<'a, 'w> {
     }
 
     fn shapes(&self, point: Point) -> Vec<f32> {
-        let mut shapes = Vec::new();
-        let lobe = Lobe::new(Shape::at(point), self.space.variant.fresnel);
-        lobe.fill(&self.problem.all, &mut shapes, Threads::Many);
-        shapes
+        Lobe::new(Shape::at(point), self.space.variant.fresnel).shapes(&self.problem.all)
     }
 
     fn best_of(&self, mut candidate: Candidate, shapes: &[f32]) -> Best {
@@ -362,8 +343,7 @@ impl<'a, 'w> Engine<'a, 'w> {
 pub(super) fn best_amplitudes(problem: &Problem, brdf: &Brdf, limits: &Limits) -> Amplitudes {
     let all = &problem.all;
     let (lobe, _) = problem.parts(brdf);
-    let mut shapes = Vec::new();
-    lobe.fill(all, &mut shapes, Threads::Many);
+    let shapes = lobe.shapes(all);
     let start = regression::cold(all, limits);
     let effort = Effort {
         band: Effort::COLD.band,

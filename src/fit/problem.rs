@@ -14,15 +14,15 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A table, a weight and a grazing limit: what the error of a model is measured on.
 ///
-/// Holds a copy of the valid f_r in the order of the passes, about 18 MB for the usual grid, and two small samples of
+/// Holds a copy of the valid f_r in the order of the passes, about 14 MB for the usual grid, and two small samples of
 /// it for searching.
 #[derive(Clone, Debug)]
 pub struct Problem {
     /// All cells.
     pub(super) all: Sites,
-    /// About one in ten.
+    /// About one in sixteen.
     pub(super) medium: Sites,
-    /// About one in fifty.
+    /// About one in sixty.
     pub(super) coarse: Sites,
     /// Whether the limit leaves grazing cells.
     pub(super) grazing: bool,
@@ -78,9 +78,12 @@ impl Problem {
     /// E of a model in total and in parts, with sums in f64.
     pub fn errors(&self, brdf: &Brdf) -> Errors {
         let (lobe, amplitudes) = self.parts(brdf);
-        let mut shapes = Vec::new();
-        lobe.fill(&self.all, &mut shapes, Threads::Many);
-        cells::errors(&self.all, &shapes, &amplitudes, self.grazing)
+        cells::errors(
+            &self.all,
+            &lobe.shapes(&self.all),
+            &amplitudes,
+            self.grazing,
+        )
     }
 
     /// The model with the best ρ_d and k_s within their default bounds for its (s, α, η): stage 1.

@@ -135,7 +135,14 @@ impl Lobe {
         }
     }
 
-    /// R_F · lobe at every site.
+    /// R_F · lobe at every site, by all threads.
+    pub fn shapes(&self, sites: &Sites) -> Vec<f32> {
+        let mut shapes = Vec::new();
+        self.fill(sites, &mut shapes, Threads::Many);
+        shapes
+    }
+
+    /// The same into memory that is there.
     pub fn fill(&self, sites: &Sites, shapes: &mut Vec<f32>, threads: Threads) {
         super::passes::fill(self, sites, shapes, threads);
     }

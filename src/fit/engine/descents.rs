@@ -1,5 +1,6 @@
 //! The descents of the stages: side by side on a sample, alone on all cells.
 
+use super::super::Problem;
 use super::super::descent::{self, Rules};
 use super::super::objective::{Candidate, Follow, Objective};
 use super::super::shape::Threads;
@@ -10,10 +11,40 @@ use rayon::prelude::*;
 
 /// How far a descent goes on some of the cells.
 pub(super) struct Level<'a> {
-    pub(super) sites: &'a Sites,
-    pub(super) threads: Threads,
-    pub(super) tolerance: f64,
-    pub(super) evaluations: usize,
+    sites: &'a Sites,
+    threads: Threads,
+    tolerance: f64,
+    evaluations: usize,
+}
+
+impl<'a> Level<'a> {
+    /// To sort out starts.
+    pub(super) fn coarse(problem: &'a Problem) -> Self {
+        Self {
+            sites: &problem.coarse,
+            threads: Threads::One,
+            tolerance: 1e-4,
+            evaluations: 60,
+        }
+    }
+
+    /// To come near.
+    pub(super) fn medium(problem: &'a Problem) -> Self {
+        Self {
+            sites: &problem.medium,
+            tolerance: 1e-5,
+            ..Self::coarse(problem)
+        }
+    }
+
+    /// The last word.
+    fn all(problem: &'a Problem) -> Self {
+        Self {
+            sites: &problem.all,
+            threads: Threads::Many,
+            ..Self::medium(problem)
+        }
+    }
 }
 
 impl<'a> Engine<'a, '_> {
@@ -55,14 +86,8 @@ impl<'a> Engine<'a, '_> {
 
     /// A descent on the larger sample and then on all cells.
     pub(super) fn descend_levels(&mut self, start: &Candidate, follow: Follow) -> Candidate {
-        let medium = Level {
-            sites: &self.problem.medium,
-            threads: Threads::One,
-            tolerance: 1e-5,
-            evaluations: 60,
-        };
         let near = std::iter::once((*start, None));
-        let ends = self.descend_side_by_side(near, &medium, follow);
+        let ends = self.descend_side_by_side(near, &Level::medium(self.problem), follow);
         self.show_best(&ends);
         match ends.first() {
             Some((end, curvature)) if !self.cancelled => self.descend_all(end, *curvature, follow),
@@ -77,12 +102,7 @@ impl<'a> Engine<'a, '_> {
         curvature: Option<DMat3>,
         follow: Follow,
     ) -> Candidate {
-        let level = Level {
-            sites: &self.problem.all,
-            threads: Threads::Many,
-            tolerance: 1e-5,
-            evaluations: 60,
-        };
+        let level = Level::all(self.problem);
         let rules = self.rules(&level);
         let mut objective = self.objective(level.sites, follow, Some(start));
         let mut evaluate = |p: DVec3| {
@@ -105,7 +125,7 @@ impl<'a> Engine<'a, '_> {
         objective.best.unwrap_or(*start)
     }
 
-    pub(super) fn rules(&self, level: &Level) -> Rules {
+    fn rules(&self, level: &Level) -> Rules {
         Rules {
             bounds: self.space.bounds,
             tolerance: level.tolerance,
