@@ -222,7 +222,7 @@ fn dragging_on_the_sphere_moves_its_light_and_hovering_reads_it() {
     let at = |dx: f32, dy: f32| rect.center() + egui::vec2(dx, dy);
     window.hover_at(at(60.0, -50.0));
     window.run_steps(2);
-    assert!(window.state().state().probe.is_some());
+    assert!(window.state().state().probe().is_some());
     drag(&mut window, &[at(60.0, -50.0), at(-80.0, 20.0)]);
     let after = lights(&window);
     assert!(

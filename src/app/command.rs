@@ -3,6 +3,7 @@
 mod entries;
 
 use super::state::{Show, State, Theme};
+use super::tiles::Pane;
 use crate::brdf::fresnel::Fresnel;
 use crate::figure::scale::RadialScale;
 use crate::fit::Weight;
@@ -25,6 +26,8 @@ pub enum Command {
     Quit,
     Undo,
     Redo,
+    CopyProbe,
+    Unpin,
     CopyParams,
     GuessParams,
     ResetParams,
@@ -44,6 +47,7 @@ pub enum Command {
     ToggleCosine,
     ToggleRaw,
     UseTheme(Theme),
+    ToggleTile(Pane),
     ResetLayout,
     Palette,
     Conventions,
@@ -108,6 +112,8 @@ impl Command {
             | Self::ResetParams
             | Self::UseModel(_)
             | Self::UseFresnel(_) => state.current().is_some(),
+            Self::CopyProbe => state.probe().is_some() && state.current().is_some(),
+            Self::Unpin => state.pinned.is_some() && state.dialog.is_none(),
             Self::Fit | Self::FitAll => state.fit_blocked().is_none(),
             Self::CancelFit => {
                 state.dialog.is_none() && state.fit.run.as_ref().is_some_and(|run| !run.stopping)
@@ -134,6 +140,7 @@ impl Command {
             Self::UseScale(scale) => scene.lobes.scale == scale,
             Self::ToggleCosine => scene.lobes.with_cosine,
             Self::ToggleRaw => scene.lookup == Lookup::Nearest,
+            Self::ToggleTile(pane) => state.tiles.is_open(pane),
             Self::UseTheme(theme) => state.prefs.theme == theme,
             _ => return None,
         })

@@ -8,17 +8,20 @@ mod jobs;
 mod open_fits;
 pub mod paint;
 mod panels;
+pub mod probe;
 mod run_command;
 pub mod startup;
 pub mod state;
+pub mod subjects;
 mod tasks;
-mod tiles;
+pub mod tiles;
 pub mod update;
 
 pub use startup::run;
 pub use tasks::Picker;
 
 use command::ENTRIES;
+use egui::{Key, KeyboardShortcut, Modifiers};
 use fitting::FitMsg;
 use fitting::work::Fitter;
 use jobs::{Outbox, Queue};
@@ -27,10 +30,13 @@ use state::{Prefs, State, Theme};
 use std::path::PathBuf;
 use std::sync::mpsc::Receiver;
 use tiles::Tiles;
-use update::{Msg, Task, apply};
+use update::{Msg, apply};
 
 /// Where the preferences are kept in the storage.
 const PREFS_KEY: &str = "grazing.prefs";
+
+/// Where the layout is kept in the storage.
+const LAYOUT_KEY: &str = "grazing.layout";
 
 /// Height of the fit's panel in points, where the window leaves it that.
 const FIT_HEIGHT: f32 = 350.0;
@@ -46,7 +52,6 @@ pub struct Options {
 /// The program in its window.
 pub struct App {
     state: State,
-    tiles: Tiles,
     outbox: Outbox,
     inbox: Receiver<Msg>,
     queue: Queue,
@@ -74,7 +79,6 @@ impl App {
         let (outbox, inbox) = Outbox::new(cc.egui_ctx.clone());
         let mut app = Self {
             state: State::default(),
-            tiles: Tiles::default(),
             outbox: outbox.clone(),
             inbox,
             queue: Queue::start()?,
@@ -88,6 +92,13 @@ impl App {
             .and_then(|storage| eframe::get_value::<Prefs>(storage, PREFS_KEY))
         {
             app.state.prefs = prefs;
+        }
+        // One that cannot be read is not there.
+        if let Some(tiles) = cc
+            .storage
+            .and_then(|storage| eframe::get_value::<Tiles>(storage, LAYOUT_KEY))
+        {
+            app.state.tiles = tiles;
         }
         let first = match options.files {
             files if files.is_empty() => Msg::Run(command::Command::OpenSample(0)),
@@ -104,24 +115,20 @@ impl App {
 
     /// Takes every tile away, so that the panels are left: what the benchmark of a frame compares with.
     pub fn close_tiles(&mut self) {
-        self.tiles = Tiles::none();
+        self.state.tiles = Tiles::none();
     }
 
     /// Applies a message and starts what follows from it.
     pub fn handle(&mut self, ctx: &egui::Context, msg: Msg) {
         for task in apply(&mut self.state, msg) {
-            match task {
-                Task::ResetLayout => self.tiles = Tiles::default(),
-                Task::ShowFits => self.tiles.show_fits(),
-                task => tasks::start(
-                    task,
-                    ctx,
-                    &self.outbox,
-                    &self.queue,
-                    &mut self.fitter,
-                    &self.picker,
-                ),
-            }
+            tasks::start(
+                task,
+                ctx,
+                &self.outbox,
+                &self.queue,
+                &mut self.fitter,
+                &self.picker,
+            );
         }
     }
 
@@ -137,11 +144,15 @@ impl App {
             .default_size(316.0)
             .size_range(260.0..=520.0)
             .show(ui, |ui| right_ui(ui, state, out));
-        let tiles = &mut self.tiles;
+        // Out of the state while they are drawn: a person moves them, and the views read the rest.
+        let mut tiles = std::mem::replace(&mut self.state.tiles, Tiles::none());
+        let state = &self.state;
         let ground = egui::Frame::NONE.fill(ui.visuals().panel_fill);
         egui::CentralPanel::no_frame()
             .frame(ground)
             .show(ui, |ui| tiles.ui(ui, state, out));
+        self.state.tiles = tiles;
+        let state = &self.state;
         notices::notices_ui(ui.ctx(), state, out);
         dialogs::dialog_ui(ui.ctx(), state, &self.adapter, out);
     }
@@ -182,6 +193,7 @@ impl eframe::App for App {
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
         eframe::set_value(storage, PREFS_KEY, &self.state.prefs);
+        eframe::set_value(storage, LAYOUT_KEY, &self.state.tiles);
     }
 
     fn on_exit(&mut self) {
@@ -217,6 +229,12 @@ fn shortcuts(ctx: &egui::Context, state: &State, out: &mut Vec<Msg>) {
     // Ctrl+Z also matches while Shift is held, so the longer combinations go first.
     entries.sort_by_key(|(_, keys)| std::cmp::Reverse(usize::from(keys.modifiers.shift)));
     for (entry, keys) in entries {
+        if keys == COPY {
+            if !typing && entry.command.is_enabled(state) && copy_pressed(ctx) {
+                out.push(Msg::Run(entry.command));
+            }
+            continue;
+        }
         let bare = keys.modifiers.is_none();
         let kept = typing && (entry.place.menu == "Edit" || bare);
         // A bare key such as Esc has other uses where its command has none.
@@ -229,6 +247,23 @@ fn shortcuts(ctx: &egui::Context, state: &State, out: &mut Vec<Msg>) {
             out.push(Msg::Run(entry.command));
         }
     }
+}
+
+/// The keys that the system tells as a wish to copy rather than as keys.
+const COPY: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::C);
+
+/// Takes the wish to copy, unless text is selected that it means.
+fn copy_pressed(ctx: &egui::Context) -> bool {
+    let selected = ctx
+        .plugin::<egui::text_selection::LabelSelectionState>()
+        .lock()
+        .has_selection();
+    !selected
+        && ctx.input_mut(|input| {
+            let before = input.events.len();
+            input.events.retain(|event| *event != egui::Event::Copy);
+            input.events.len() < before
+        })
 }
 
 fn dropped_files(ctx: &egui::Context, out: &mut Vec<Msg>) {

@@ -3,6 +3,7 @@
 use super::command::Command;
 use super::fitting::{FitMsg, Settings, steps};
 use super::state::{Dialog, Origin, State};
+use super::tiles::Tiles;
 use super::update::{Msg, Task, apply, edit, edit_brdf, load};
 use crate::brdf::{Brdf, Fresnel, MODELS, Model};
 use crate::gpu::sphere::LIGHT_PRESETS;
@@ -114,7 +115,10 @@ pub(super) fn run(state: &mut State, command: Command) -> Vec<Task> {
             };
         }),
         Command::UseTheme(theme) => state.prefs.theme = theme,
-        Command::ResetLayout => return vec![Task::ResetLayout],
+        Command::ResetLayout => state.tiles = Tiles::default(),
+        Command::ToggleTile(pane) => state.tiles.toggle(pane),
+        Command::Unpin => state.pinned = None,
+        Command::CopyProbe => return state.probe_row().map(Task::Copy).into_iter().collect(),
         Command::CopyParams => {
             if let Some((_, opened)) = state.current() {
                 return vec![Task::Copy(

@@ -2,16 +2,17 @@
 
 use super::fitting::{FitState, KeptFit};
 use super::history::History;
+use super::probe::Probe;
+use super::subjects::SubjectKey;
+use super::tiles::Tiles;
 use crate::brdf::{Brdf, ParamId};
-use crate::figure::lobes::Channel;
+use crate::figure::Channel;
 use crate::figure::scale::RadialScale;
 use crate::files::SourceFile;
 use crate::fit::Variant;
-use crate::geom::Rgb;
 use crate::gpu::sphere::SphereView;
 use crate::measured::Table;
 use crate::measured::lookup::Lookup;
-use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, VecDeque};
 use std::path::PathBuf;
@@ -121,6 +122,8 @@ pub struct Opened {
     pub id: MaterialId,
     /// The model that is drawn over it.
     pub brdf: Brdf,
+    /// Whether the plots show it beside the shown one.
+    pub beside: bool,
 }
 
 /// The part of the state that undo brings back.
@@ -132,6 +135,8 @@ pub struct Scene {
     pub selected: usize,
     /// Whether the three channels of a colour parameter move as one: ρ_d, k_s.
     pub grey: [bool; 2],
+    /// What the plots do not show, though its name is in their legends.
+    pub hidden: Vec<SubjectKey>,
     /// Interpolation of the table in all views.
     pub lookup: Lookup,
     /// The sphere.
@@ -146,6 +151,7 @@ impl Default for Scene {
             opened: Vec::new(),
             selected: 0,
             grey: [false; 2],
+            hidden: Vec::new(),
             lookup: Lookup::Smooth,
             sphere: SphereTile {
                 view: SphereView::default(),
@@ -172,15 +178,6 @@ impl Scene {
             _ => None,
         }
     }
-}
-
-/// One pair of directions, marked in every view.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Probe {
-    /// To the light.
-    pub wi: DVec3,
-    /// To the viewer.
-    pub wo: DVec3,
 }
 
 /// A job under way.
@@ -288,10 +285,14 @@ pub struct State {
     pub history: History<Scene>,
     /// Data of every material that the scene or its history names.
     pub materials: BTreeMap<MaterialId, Material>,
+    /// The tiles and where they are.
+    pub tiles: Tiles,
     /// Fits asked for and under way.
     pub fit: FitState,
     /// The pair of directions under the pointer.
-    pub probe: Option<Probe>,
+    pub hovered: Option<Probe>,
+    /// The pair of directions that stays marked wherever the pointer goes.
+    pub pinned: Option<Probe>,
     /// Jobs under way, the oldest first.
     pub jobs: Vec<Job>,
     /// Notices, the oldest first.
@@ -319,14 +320,5 @@ impl State {
         let live = self.fit.run.as_ref().and_then(|run| run.live.as_ref());
         let opened = live.filter(|live| live.id == opened.id).unwrap_or(opened);
         Some((self.materials.get(&opened.id)?, opened))
-    }
-
-    /// f_r of the shown material and of its model at a pair of directions.
-    pub fn values_at(&self, probe: Probe) -> (Option<Rgb>, Option<Rgb>) {
-        let Some((material, opened)) = self.current() else {
-            return (None, None);
-        };
-        let measured = material.table.lookup(probe.wi, probe.wo, self.scene.lookup);
-        (measured, opened.brdf.f_r(probe.wi, probe.wo))
     }
 }

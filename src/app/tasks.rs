@@ -93,8 +93,6 @@ pub fn start(
         }
         Task::Copy(text) => ctx.copy_text(text),
         Task::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
-        // The tiles are the window's own.
-        Task::ResetLayout | Task::ShowFits => {}
     }
 }
 

@@ -3,11 +3,13 @@
 use super::command::Command;
 use super::fitting::{FitMsg, FitTask, Resolve, steps};
 use super::open_fits;
+use super::probe::Probe;
 use super::run_command;
 use super::state::{
-    CancelFlag, Job, Level, LobeTile, Material, MaterialId, Notice, Opened, Origin, Probe, Scene,
+    CancelFlag, Job, Level, LobeTile, Material, MaterialId, Notice, Opened, Origin, Scene,
     SphereTile, State,
 };
+use super::subjects::{self, SubjectKey, Subjects};
 use crate::brdf::{Brdf, ParamId, Params};
 use crate::files::SourceFile;
 use crate::files::fits::MaterialFits;
@@ -63,7 +65,13 @@ pub enum Msg {
     /// Change the lobe tile.
     SetLobes(LobeTile),
     /// The pointer shows a pair of directions, or none.
-    SetProbe(Option<Probe>),
+    Hover(Option<Probe>),
+    /// Keep a pair of directions marked, or let it go.
+    Pin(Option<Probe>),
+    /// A name in a legend was clicked: show or hide it, or it alone.
+    Legend { key: SubjectKey, solo: bool },
+    /// Show an open material in the plots beside the shown one, or no longer.
+    SetBeside(usize, bool),
     /// What is typed in the open dialog.
     Typed(String),
     /// Close the dialog.
@@ -125,14 +133,10 @@ pub enum Task {
     Fit(FitTask),
     /// Find the best ρ_d and k_s in the background.
     Resolve(Resolve),
-    /// Bring the table of fits to the front.
-    ShowFits,
     /// Ask for files to open.
     PickFiles,
     /// Ask where to, and write a picture of the window.
     SavePicture,
-    /// Put the tiles back.
-    ResetLayout,
     /// Put this on the clipboard.
     Copy(String),
     /// Close the window.
@@ -229,7 +233,17 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
         Msg::Fit(msg) => return steps::apply(state, msg),
         Msg::SetSphere(sphere) => edit(state, |scene| scene.sphere = sphere),
         Msg::SetLobes(lobes) => edit(state, |scene| scene.lobes = lobes),
-        Msg::SetProbe(probe) => state.probe = probe,
+        Msg::Hover(probe) => state.hovered = probe,
+        Msg::Pin(probe) => state.pinned = probe,
+        Msg::Legend { key, solo } => {
+            let all = Subjects::of(state).keys;
+            edit(state, |scene| subjects::toggle(scene, &all, key, solo));
+        }
+        Msg::SetBeside(index, beside) => edit(state, |scene| {
+            if let Some(opened) = scene.opened.get_mut(index) {
+                opened.beside = beside;
+            }
+        }),
         Msg::Typed(text) => state.typed = text,
         Msg::CloseDialog => state.dialog = None,
         Msg::Notify(level, text) => notify(state, level, text),
@@ -315,7 +329,11 @@ pub(super) fn add_material(state: &mut State, origin: Origin, loaded: Loaded) {
     if let Some(fits) = &loaded.fits {
         open_fits::arrived(state, id, fits);
     }
-    let opened = Opened { id, brdf };
+    let opened = Opened {
+        id,
+        brdf,
+        beside: false,
+    };
     let add = |scene: &mut Scene| {
         scene.opened.push(opened);
         scene.selected = scene.opened.len() - 1;

@@ -48,6 +48,8 @@ pub struct Model {
 /// All models, in the order in which they are offered.
 pub static MODELS: [&Model; 3] = [&phong::MODEL, &blinn_phong::MODEL, &combined::MODEL];
 
+impl Eq for Model {}
+
 impl PartialEq for Model {
     fn eq(&self, other: &Self) -> bool {
         self.key == other.key

@@ -113,7 +113,7 @@ impl Stage {
 }
 
 /// A model with its Fresnel factor: what is fitted.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Variant {
     /// The formula.
     pub model: &'static Model,

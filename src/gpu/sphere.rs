@@ -3,7 +3,7 @@
 //! View space: x to the right, y up, z to the viewer, who looks from infinitely far. The sphere fills the square
 //! [−1, 1]²; a point of the picture is given in these units.
 
-use crate::geom::Rgb;
+use crate::geom::{HalfDiff, Rgb};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -115,6 +115,22 @@ pub fn local_directions(x: f64, y: f64, light: &Light) -> Option<(DVec3, DVec3)>
     Some((local(light.direction), local(VIEW)))
 }
 
+/// The point of the picture where the light and the viewer have this θ_h and φ_d, and the θ_d in radians that they
+/// have on the whole sphere; `None` where that point is not lit or not in sight.
+pub fn point_of(angles: HalfDiff, light: &Light) -> Option<((f64, f64), f64)> {
+    let frame = |wi: DVec3, wo: DVec3| {
+        let wh = (wi + wo).try_normalize()?;
+        let across = (wi - wo).try_normalize();
+        let across = across.unwrap_or_else(|| wh.any_orthonormal_vector());
+        Some([wh, across, wh.cross(across)])
+    };
+    let theta_d = 0.5 * light.direction.angle_between(VIEW);
+    let (wi, wo) = HalfDiff { theta_d, ..angles }.to_directions();
+    let (local, seen) = (frame(wi, wo)?, frame(light.direction, VIEW)?);
+    let n: DVec3 = (0..3).map(|k| seen[k] * local[k].z).sum();
+    (n.z >= 0.0 && n.dot(light.direction) >= 0.0).then_some(((n.x, n.y), theta_d))
+}
+
 /// The light direction whose mirror highlight is at a point of the picture; points outside count as the rim.
 pub fn light_for_highlight_at(x: f64, y: f64) -> DVec3 {
     let radius = x.hypot(y);
@@ -156,6 +172,20 @@ mod tests {
             // In the local frame there, the half vector is the normal.
             let (wi, wo) = local_directions(x, y, &light).expect("on the sphere");
             prop_assert!((half_vector(wi, wo) - DVec3::Z).length() < 1e-6);
+        }
+
+        #[test]
+        fn a_point_is_found_again_by_its_angles(x in -0.7..0.7, y in -0.7..0.7) {
+            for light in poster_lights() {
+                let (wi, wo) = local_directions(x, y, &light).expect("on the sphere");
+                let angles = HalfDiff::from_directions(wi, wo).expect("not opposite");
+                let found = point_of(angles, &light);
+                prop_assert_eq!(found.is_some(), wi.z >= 0.0);
+                if let Some(((px, py), theta_d)) = found {
+                    prop_assert!((px - x).hypot(py - y) < 1e-6, "{} {}", px, py);
+                    prop_assert!((theta_d - angles.theta_d).abs() < 1e-9);
+                }
+            }
         }
 
         #[test]

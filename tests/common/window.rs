@@ -4,7 +4,9 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use grazing::app::command::Command;
 use grazing::app::state::State;
+use grazing::app::update::Msg;
 use grazing::app::{App, Options, Picker};
 use grazing::brdf::ParamId;
 use std::path::PathBuf;
@@ -84,5 +86,12 @@ pub fn drag(window: &mut Window, path: &[egui::Pos2]) {
 
 pub fn press(window: &mut Window, modifiers: Modifiers, key: Key) {
     window.key_press_modifiers(modifiers, key);
+    window.run_steps(3);
+}
+
+/// Runs a command as a menu does.
+pub fn run(window: &mut Window, command: Command) {
+    let ctx = window.ctx.clone();
+    window.state_mut().handle(&ctx, Msg::Run(command));
     window.run_steps(3);
 }

@@ -2,6 +2,7 @@
 
 use super::{Command, Entry, Place};
 use crate::app::state::{SHOWS, Show, Theme};
+use crate::app::tiles::PANES;
 use crate::brdf::MODELS;
 use crate::brdf::fresnel::{FRESNELS, Fresnel};
 use crate::figure::scale::RADIAL_SCALES;
@@ -90,6 +91,22 @@ pub(super) fn entries() -> Vec<Entry> {
         "Redo",
         Some((CTRL_SHIFT, Key::Z)),
         "Make the change again",
+    );
+    add(
+        "Edit",
+        "",
+        Command::CopyProbe,
+        "Copy values",
+        Some((CTRL, Key::C)),
+        "Copy the probe's angles and values as a row for a spreadsheet",
+    );
+    add(
+        "Edit",
+        "",
+        Command::Unpin,
+        "Unpin",
+        Some((Modifiers::NONE, Key::Escape)),
+        "Let the probe follow the pointer again",
     );
     add(
         "Edit",
@@ -274,6 +291,16 @@ pub(super) fn entries() -> Vec<Entry> {
             name,
             None,
             "Colours of the window",
+        );
+    }
+    for row in &PANES {
+        add(
+            "View",
+            "Tiles",
+            Command::ToggleTile(row.pane),
+            row.name,
+            None,
+            row.help[0],
         );
     }
     add(

@@ -74,6 +74,7 @@ impl Run {
             && let Some(best) = self.parts[0].best()
         {
             self.live = Some(Opened {
+                beside: false,
                 id: self.material,
                 brdf: best.brdf,
             });

@@ -2,6 +2,7 @@
 
 use super::{FitMsg, FitTask, KeptFit, Part, Resolve, Run, Timed};
 use crate::app::state::{CancelFlag, Level, MaterialId, Opened, State};
+use crate::app::tiles::Pane;
 use crate::app::update::{Task, edit, notify};
 use crate::brdf::{Brdf, Fresnel};
 use crate::fit::Variant;
@@ -102,7 +103,7 @@ pub(in crate::app) fn start(state: &mut State, all: bool) -> Vec<Task> {
         live: None,
         left: None,
     };
-    let mut tasks = vec![Task::Fit(FitTask {
+    let tasks = vec![Task::Fit(FitTask {
         job,
         material: opened.id,
         table: material.table.clone(),
@@ -111,7 +112,7 @@ pub(in crate::app) fn start(state: &mut State, all: bool) -> Vec<Task> {
         cancel: run.cancel.clone(),
     })];
     if all {
-        tasks.push(Task::ShowFits);
+        state.tiles.show(Pane::Fits);
     }
     state.fit.run = Some(run);
     tasks

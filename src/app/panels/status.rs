@@ -2,7 +2,8 @@
 
 use crate::app::command::Command;
 use crate::app::paint::rich_text_job;
-use crate::app::state::{Probe, State};
+use crate::app::probe::{Probe, ratio};
+use crate::app::state::State;
 use crate::app::update::Msg;
 use crate::figure::text::RichText;
 use crate::geom::{HalfDiff, Rgb, directions};
@@ -14,8 +15,11 @@ pub fn status_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
             jobs_ui(ui, state, out);
             ui.with_layout(
                 egui::Layout::left_to_right(egui::Align::Center),
-                |ui| match state.probe {
-                    Some(probe) => probe_ui(ui, state, probe),
+                |ui| match state.probe() {
+                    Some(probe) => {
+                        pin_ui(ui, state, out);
+                        probe_ui(ui, state, probe);
+                    }
                     None => {
                         ui.weak("Point at the sphere or at a lobe to read angles and values.");
                     }
@@ -61,6 +65,18 @@ fn fit_job_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     ui.add(egui::Label::new(format!("Fitting {name}")).truncate());
 }
 
+/// Says that the probe stays, and lets it go.
+fn pin_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+    if state.pinned.is_some()
+        && ui
+            .small_button("Pinned ×")
+            .on_hover_text(Command::Unpin.hint(ui.ctx()))
+            .clicked()
+    {
+        out.push(Msg::Run(Command::Unpin));
+    }
+}
+
 fn probe_ui(ui: &mut egui::Ui, state: &State, probe: Probe) {
     ui.spacing_mut().item_spacing.x = 14.0;
     let color = ui.visuals().text_color();
@@ -92,12 +108,13 @@ fn probe_ui(ui: &mut egui::Ui, state: &State, probe: Probe) {
     ));
     show(&format!("model {}", model.map_or("–".into(), rgb)));
     if let (Some(measured), Some(model)) = (measured, model) {
-        let ratio: Vec<String> = (0..3)
-            .map(|k| {
-                if measured[k] > 0.0 {
-                    format!("{:.2}", model[k] / measured[k])
-                } else {
+        let ratio: Vec<String> = ratio(measured, model)
+            .iter()
+            .map(|ratio| {
+                if ratio.is_nan() {
                     "–".into()
+                } else {
+                    format!("{ratio:.2}")
                 }
             })
             .collect();

@@ -3,13 +3,13 @@
 mod head;
 mod rows;
 
-use super::lobes::look_beside;
 use crate::app::command::Command;
 use crate::app::fitting::{FitMsg, Run, short_variant_name, variant_name};
 use crate::app::formula::number;
 use crate::app::paint::{self, rich_text_job};
 use crate::app::panels::{dialogs, fit_details};
 use crate::app::state::State;
+use crate::app::subjects::look_beside;
 use crate::app::update::Msg;
 use crate::figure::drawing::Drawing;
 use crate::figure::palette::{Palette, Role};

@@ -1,21 +1,20 @@
 //! The polar lobes in the plane of incidence.
 
+use super::controls;
+use super::legend::legend_ui;
 use crate::app::command::Command;
-use crate::app::fitting::{KeptFit, variant_name};
 use crate::app::formula::number;
 use crate::app::paint;
-use crate::app::state::{LobeTile, Material, Probe, Scene, State};
+use crate::app::probe::{self, Probe};
+use crate::app::state::{LobeTile, Scene, State};
+use crate::app::subjects::Subjects;
 use crate::app::update::Msg;
-use crate::brdf::Fresnel;
-use crate::figure::lobes::{CHANNELS, Curve, LobePlot, LobeSpec, Look};
-use crate::figure::palette::{Palette, companion};
+use crate::figure::Point;
+use crate::figure::lobes::{LobePlot, LobeSpec};
+use crate::figure::palette::Palette;
 use crate::figure::scale::RADIAL_SCALES;
-use crate::figure::text::RichText;
-use crate::fit::Variant;
-use crate::geom::{Rgb, direction};
+use crate::geom::Rgb;
 use egui::{CursorIcon, PointerButton, Sense, Vec2};
-use glam::DVec3;
-use std::f64::consts::PI;
 
 /// How near in points the pointer must be to a light's arrow to take it.
 const GRAB: f32 = 14.0;
@@ -23,7 +22,7 @@ const GRAB: f32 = 14.0;
 const MAX_THETA_I: f64 = 89.0;
 
 /// Draws the tile.
-pub fn lobes_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+pub fn lobes_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
     let tile = &state.scene.lobes;
     toolbar_ui(ui, tile, out);
     let (rect, response) = ui.allocate_exact_size(
@@ -33,100 +32,27 @@ pub fn lobes_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "Polar lobes"));
     let palette = Palette::of_theme(ui.visuals().dark_mode);
     let size = [rect.width(), rect.height()];
-    let Some((material, opened)) = state.current() else {
-        let plot = LobePlot::new(&spec(tile, None), &[], size);
-        paint::paint(ui.painter(), rect.min, &plot.drawing, &palette);
-        return;
-    };
-    let measured = |wi: DVec3, wo: DVec3| material.table.lookup(wi, wo, state.scene.lookup);
-    let model = |wi: DVec3, wo: DVec3| opened.brdf.f_r(wi, wo);
-    let series = state.scene.selected;
-    let beside = overlays(material, series);
-    let mut curves = vec![
-        Curve {
-            label: material.name.clone(),
-            look: Look::Measured,
-            series,
-            f_r: &measured,
-        },
-        Curve {
-            label: opened.brdf.model.name.to_string(),
-            look: Look::Model,
-            series,
-            f_r: &model,
-        },
-    ];
-    curves.extend(beside.iter().map(|overlay| Curve {
-        label: variant_name(overlay.variant),
-        look: overlay.look,
-        series: overlay.series,
-        f_r: &overlay.f_r,
-    }));
-    let plot = LobePlot::new(&spec(tile, probe_theta_o(state, tile)), &curves, size);
+    let subjects = Subjects::of(state);
+    let plot = LobePlot::new(&spec(tile, state.probe()), &subjects.list, size);
     paint::paint(ui.painter(), rect.min, &plot.drawing, &palette);
     interact(ui, &response, state, &plot, out);
+    legend_ui(ui, rect.min, &plot.legend, &subjects, out);
+    response.contains_pointer()
 }
 
-/// A kept fit whose lobes are drawn beside the model's.
-struct Overlay<F> {
-    variant: Variant,
-    look: Look,
-    series: usize,
-    f_r: F,
-}
-
-/// The ticked fits of a material in the order of the models: a colour per model, dots without and dashes with Fresnel.
-fn overlays(
-    material: &Material,
-    series: usize,
-) -> Vec<Overlay<impl Fn(DVec3, DVec3) -> Option<Rgb>>> {
-    let mut ticked: Vec<&KeptFit> = material.fits.iter().filter(|fit| fit.overlaid).collect();
-    ticked.sort_by_key(|fit| (fit.variant().model.index(), fit.variant().fresnel.index()));
-    let overlay = |fit: &KeptFit| {
-        let (variant, brdf) = (fit.variant(), fit.outcome.brdf);
-        let (look, series) = look_beside(variant, series);
-        Overlay {
-            variant,
-            look,
-            series,
-            f_r: move |wi: DVec3, wo: DVec3| brdf.f_r(wi, wo),
-        }
-    };
-    ticked.into_iter().map(overlay).collect()
-}
-
-/// Line and colour of a variant beside the model of series `series`.
-pub(super) fn look_beside(variant: Variant, series: usize) -> (Look, usize) {
-    let long = variant.fresnel != Fresnel::None;
-    (
-        Look::Beside { long },
-        companion(series, variant.model.index()),
-    )
-}
-
-fn spec(tile: &LobeTile, probe_theta_o: Option<f64>) -> LobeSpec {
+fn spec(tile: &LobeTile, probe: Option<Probe>) -> LobeSpec {
+    let theta_i = tile.theta_i.get(tile.active);
     LobeSpec {
         theta_i: tile.theta_i.clone(),
         active: tile.active,
         scale: tile.scale,
         with_cosine: tile.with_cosine,
         channel: tile.channel,
-        probe_theta_o,
+        probe: probe
+            .zip(theta_i)
+            .map(|(probe, theta_i)| probe.mark_in_plane(*theta_i)),
         ..LobeSpec::default()
     }
-}
-
-/// The probe as a point of this plot, if it lies in its plane of incidence under the active light.
-fn probe_theta_o(state: &State, tile: &LobeTile) -> Option<f64> {
-    let probe = state.probe?;
-    let theta_i = *tile.theta_i.get(tile.active)?;
-    let same_light = (probe.wi - to_light(theta_i)).length() < 1e-6;
-    (same_light && probe.wo.y.abs() < 1e-9).then(|| probe.wo.x.atan2(probe.wo.z))
-}
-
-/// Light from the left.
-fn to_light(theta_i: f64) -> DVec3 {
-    direction(theta_i, PI)
 }
 
 fn toolbar_ui(ui: &mut egui::Ui, tile: &LobeTile, out: &mut Vec<Msg>) {
@@ -141,29 +67,14 @@ fn toolbar_ui(ui: &mut egui::Ui, tile: &LobeTile, out: &mut Vec<Msg>) {
             }
         }
         ui.separator();
-        let theta_i = RichText::parse("θ_{i}");
-        ui.label(paint::rich_text_job(
-            &theta_i,
-            14.0,
-            ui.visuals().text_color(),
-        ));
+        controls::symbol_ui(ui, "θ_{i}");
         for (index, theta_i) in tile.theta_i.iter().enumerate() {
-            let mut degrees = theta_i.to_degrees();
-            let drag = egui::DragValue::new(&mut degrees)
-                .speed(0.2)
-                .range(0.0..=MAX_THETA_I)
-                .suffix("°")
-                .fixed_decimals(0);
-            let response = ui.add(drag).on_hover_text("Angle of incidence");
-            response.widget_info(|| {
-                egui::WidgetInfo::labeled(
-                    egui::Role::SpinButton,
-                    true,
-                    format!("theta_i {}", index + 1),
-                )
-            });
-            if response.changed() {
-                out.push(Msg::SetLobes(with_theta_i(tile, index, degrees)));
+            let name = format!("theta_i {}", index + 1);
+            let range = 0.0..=MAX_THETA_I;
+            if let Some(angle) =
+                controls::angle_ui(ui, &name, "Angle of incidence", *theta_i, range)
+            {
+                out.push(Msg::SetLobes(with_theta_i(tile, index, angle.to_degrees())));
             }
         }
         let few = tile.theta_i.len() < 5;
@@ -183,18 +94,7 @@ fn toolbar_ui(ui: &mut egui::Ui, tile: &LobeTile, out: &mut Vec<Msg>) {
             out.push(Msg::SetLobes(removed(tile)));
         }
         ui.separator();
-        let mut channel = tile.channel;
-        let menu = egui::ComboBox::from_id_salt("channel")
-            .width(92.0)
-            .selected_text(channel.name());
-        let menu = menu.show_ui(ui, |ui| {
-            for choice in CHANNELS {
-                ui.selectable_value(&mut channel, choice, choice.name());
-            }
-        });
-        ui.ctx()
-            .accesskit_node_builder(menu.response.id, |node| node.set_label("Channel"));
-        if channel != tile.channel {
+        if let Some(channel) = controls::channel_ui(ui, tile.channel) {
             out.push(Msg::SetLobes(LobeTile {
                 channel,
                 ..tile.clone()
@@ -283,13 +183,18 @@ fn interact(
             active: scene.lobes.active,
             ..tile.clone()
         }));
-    } else if response.clicked()
-        && let Some(index) = near
-    {
-        out.push(Msg::SetLobes(LobeTile {
-            active: index,
-            ..tile.clone()
-        }));
+    } else if response.clicked() {
+        match near {
+            Some(active) => out.push(Msg::SetLobes(LobeTile {
+                active,
+                ..tile.clone()
+            })),
+            None => {
+                if let Some(probe) = probe_at(tile, plot, point) {
+                    probe::pin(state, probe, out);
+                }
+            }
+        }
     }
     if !response.hovered() {
         return;
@@ -297,26 +202,24 @@ fn interact(
     if near.is_some() {
         ui.ctx().set_cursor_icon(CursorIcon::Grab);
     }
-    let probe = plot.frame.theta_o_at(point).and_then(|theta_o| {
-        let theta_i = *tile.theta_i.get(tile.active)?;
-        Some(Probe {
-            wi: to_light(theta_i),
-            wo: direction(theta_o.abs(), if theta_o < 0.0 { PI } else { 0.0 }),
-        })
-    });
-    if probe != state.probe {
-        out.push(Msg::SetProbe(probe));
-    }
-    if let Some(probe) = probe {
+    let under = probe_at(tile, plot, point);
+    probe::hover(state, under, out);
+    if let Some(probe) = under {
         value_tooltip(response, state, probe);
     }
+}
+
+/// The active light and the view direction under the pointer.
+fn probe_at(tile: &LobeTile, plot: &LobePlot, point: Point) -> Option<Probe> {
+    let theta_o = plot.frame.theta_o_at(point)?;
+    Some(Probe::in_plane(*tile.theta_i.get(tile.active)?, theta_o))
 }
 
 fn value_tooltip(response: &egui::Response, state: &State, probe: Probe) {
     let (measured, model) = state.values_at(probe);
     let channel = state.scene.lobes.channel;
     response.clone().on_hover_ui_at_pointer(|ui| {
-        let theta_o = probe.wo.x.atan2(probe.wo.z).to_degrees();
+        let theta_o = probe.signed_theta_o().to_degrees();
         ui.label(format!("θo {theta_o:.1}°, {}", channel.name()));
         let text = |value: Option<Rgb>, none: &str| {
             value.map_or(none.to_string(), |rgb| {

@@ -3,9 +3,13 @@
 use super::sphere_callback::{self, Half};
 use crate::app::command::Command;
 use crate::app::panels::dialogs;
-use crate::app::state::{Probe, SHOWS, Show, SphereTile, State};
+use crate::app::probe::{self, Probe};
+use crate::app::state::{SHOWS, Show, SphereTile, State};
 use crate::app::update::Msg;
-use crate::gpu::sphere::{LIGHT_PRESETS, highlight_of, light_for_highlight_at, local_directions};
+use crate::geom::HalfDiff;
+use crate::gpu::sphere::{
+    LIGHT_PRESETS, highlight_of, light_for_highlight_at, local_directions, point_of,
+};
 use egui::{Align2, Color32, CursorIcon, FontId, Pos2, Rect, Sense, Stroke, Vec2, pos2, vec2};
 
 /// How near in points the pointer must be to the split line to take it.
@@ -14,7 +18,7 @@ const GRAB: f32 = 7.0;
 const NEAR_HIGHLIGHT: f64 = 0.35;
 
 /// Draws the tile.
-pub fn sphere_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+pub fn sphere_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
     let tile = &state.scene.sphere;
     toolbar_ui(ui, state, tile, out);
     let (rect, response) = ui.allocate_exact_size(
@@ -24,7 +28,7 @@ pub fn sphere_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "Sphere"));
     let Some((material, opened)) = state.current() else {
         dialogs::empty_ui(ui, rect, "Open a material to see it on a sphere.");
-        return;
+        return false;
     };
     let spheres = layout(rect, tile);
     for sphere in &spheres {
@@ -36,7 +40,9 @@ pub fn sphere_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     for sphere in &spheres {
         caption(ui, sphere, tile.show);
     }
-    interact(ui, &response, tile, &spheres, out);
+    marks(ui, state, tile, &spheres);
+    interact(ui, &response, state, &spheres, out);
+    response.contains_pointer()
 }
 
 fn toolbar_ui(ui: &mut egui::Ui, state: &State, tile: &SphereTile, out: &mut Vec<Msg>) {
@@ -164,6 +170,44 @@ fn caption(ui: &egui::Ui, sphere: &OnScreen, show: Show) {
     }
 }
 
+/// Where the probe is under each light. A sphere under one light has one θd: elsewhere the mark is hollow.
+fn marks(ui: &egui::Ui, state: &State, tile: &SphereTile, spheres: &[OnScreen]) {
+    let angles = state
+        .probe()
+        .and_then(|probe| HalfDiff::from_directions(probe.wi, probe.wo));
+    let Some(angles) = angles else {
+        return;
+    };
+    let found: Vec<_> = tile
+        .view
+        .lights
+        .iter()
+        .filter_map(|light| point_of(angles, light))
+        .collect();
+    let is_exact = |theta_d: f64| probe::same(theta_d, angles.theta_d);
+    // Where one light shows the probe itself, the others have nothing to add.
+    let any_exact = found.iter().any(|(_, theta_d)| is_exact(*theta_d));
+    for ((x, y), theta_d) in found {
+        let exact = is_exact(theta_d);
+        if any_exact && !exact {
+            continue;
+        }
+        for sphere in spheres {
+            let radius = f64::from(0.5 * sphere.rect.width());
+            let offset = vec2((x * radius) as f32, (-y * radius) as f32);
+            let at = sphere.rect.center() + offset;
+            // Light on dark and dark on light: the picture may be either.
+            for (radius, color) in [(5.0, Color32::BLACK), (4.0, Color32::WHITE)] {
+                ui.painter()
+                    .circle_stroke(at, radius, Stroke::new(1.0, color));
+            }
+            if exact {
+                ui.painter().circle_filled(at, 2.0, Color32::WHITE);
+            }
+        }
+    }
+}
+
 /// What a drag that began on the tile moves, kept by egui while it lasts.
 #[derive(Clone, Copy)]
 enum Grabbed {
@@ -174,14 +218,12 @@ enum Grabbed {
 fn interact(
     ui: &egui::Ui,
     response: &egui::Response,
-    tile: &SphereTile,
+    state: &State,
     spheres: &[OnScreen],
     out: &mut Vec<Msg>,
 ) {
+    let tile = &state.scene.sphere;
     let Some(pointer) = response.interact_pointer_pos().or(response.hover_pos()) else {
-        if response.ctx.input(|input| input.pointer.has_pointer()) && response.contains_pointer() {
-            out.push(Msg::SetProbe(None));
-        }
         return;
     };
     let Some(sphere) = spheres.iter().min_by(|a, b| {
@@ -237,10 +279,13 @@ fn interact(
             CursorIcon::Crosshair
         });
         let light = tile.view.lights.get(nearest_light(tile, x, y));
-        let probe = light
+        let under = light
             .and_then(|light| local_directions(x, y, light))
             .map(|(wi, wo)| Probe { wi, wo });
-        out.push(Msg::SetProbe(probe));
+        probe::hover(state, under, out);
+        if let Some(probe) = under.filter(|_| response.clicked()) {
+            probe::pin(state, probe, out);
+        }
     }
 }
 

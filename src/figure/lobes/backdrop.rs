@@ -2,6 +2,7 @@
 
 use super::{LobeFrame, LobeSpec};
 use crate::figure::drawing::{Anchor, Drawing, Item, Label, Point};
+use crate::figure::mark::Mark;
 use crate::figure::palette::{Ink, Role};
 use crate::figure::placing::Placing;
 use crate::figure::scale::power_of_ten;
@@ -124,7 +125,11 @@ pub(super) fn vectors(sheet: &mut Sheet, spec: &LobeSpec) {
     let active = spec.theta_i.get(spec.active).copied();
     if let Some(theta_i) = active {
         vector(sheet, -theta_i, "ω_{i}", Role::Accent.into());
-        if let Some(theta_o) = spec.probe_theta_o {
+        if let Some(Mark {
+            at: theta_o,
+            exact: true,
+        }) = spec.probe
+        {
             vector(sheet, theta_o, "ω_{o}", Role::Foreground.into());
             let theta_h = 0.5 * (theta_o - theta_i);
             vector(sheet, theta_h, "ω_{h}", Role::Muted.into());

@@ -1,69 +1,72 @@
 //! The curves of a lobe plot, what names them, and the order in which all is drawn.
 
 use super::backdrop::{self, Sheet};
-use super::layout::{Plan, SWATCH_EM};
-use super::{Curve, LobeFrame, LobeSpec, Trace};
+use super::layout::Plan;
+use super::{LobeFrame, LobeSpec, Trace};
 use crate::figure::drawing::{Anchor, Drawing, Item, Point};
+use crate::figure::legend::{self, LegendEntry};
+use crate::figure::mark::{Mark, probe_dot};
 use crate::figure::palette::{Ink, Role};
+use crate::figure::subject::Subject;
 use crate::figure::text::RichText;
 
 pub(super) fn draw(
     spec: &LobeSpec,
-    curves: &[Curve],
+    subjects: &[Subject],
     traces: &[Trace],
     frame: &LobeFrame,
     plan: &Plan,
     size: [f32; 2],
-) -> Drawing {
+) -> (Drawing, Vec<LegendEntry>) {
     let mut sheet = Sheet::new(frame, plan.font, size);
     let (title, at) = &plan.title;
     let label = sheet.label(title.clone(), *at, Anchor::LEFT, Role::Muted);
     sheet.placing.place(&mut sheet.drawing, label);
-    legend(&mut sheet, curves, plan);
+    let entries = legend(&mut sheet, subjects, plan);
     backdrop::ground(&mut sheet);
     backdrop::vectors(&mut sheet, spec);
     backdrop::rim_labels(&mut sheet);
     backdrop::ring_labels(&mut sheet);
     // The active lobes over the others, models over measurements.
     let mut order: Vec<&Trace> = traces.iter().collect();
-    order.sort_by_key(|trace| (trace.lobe == spec.active, curves[trace.curve].look));
+    order.sort_by_key(|trace| (trace.lobe == spec.active, subjects[trace.subject].look));
     for trace in &order {
         lobe(
             &mut sheet,
             trace,
-            &curves[trace.curve],
+            &subjects[trace.subject],
             trace.lobe == spec.active,
         );
     }
     backdrop::handles(&mut sheet, spec);
-    probe_dots(&mut sheet, spec, curves, &order);
+    probe_dots(&mut sheet, spec, subjects, &order);
     lobe_labels(&mut sheet, spec, traces);
     if !traces.iter().any(|trace| trace.values().next().is_some()) {
-        nothing(&mut sheet, curves.is_empty());
+        nothing(&mut sheet, subjects.is_empty());
     }
-    sheet.drawing
+    (sheet.drawing, entries)
 }
 
-fn legend(sheet: &mut Sheet, curves: &[Curve], plan: &Plan) {
-    for (curve, name, [x, y]) in &plan.legend {
-        let curve = &curves[*curve];
-        let swatch = (SWATCH_EM - 0.5) * sheet.font;
-        sheet.drawing.dashed_line(
-            vec![[*x, *y], [x + swatch, *y]],
-            curve.look.width(),
-            curve.look.dash(),
-            Role::Series(curve.series).into(),
+fn legend(sheet: &mut Sheet, subjects: &[Subject], plan: &Plan) -> Vec<LegendEntry> {
+    let entries = plan.legend.iter().map(|(index, name, at)| {
+        let (entry, label) = legend::draw_entry(
+            &mut sheet.drawing,
+            *index,
+            &subjects[*index],
+            name,
+            *at,
+            sheet.font,
         );
-        let at = [x + SWATCH_EM * sheet.font, *y];
-        let label = sheet.label(name.clone(), at, Anchor::LEFT, Role::Foreground);
         sheet.placing.place(&mut sheet.drawing, label);
-    }
+        entry
+    });
+    entries.collect()
 }
 
 /// A trace as polylines, broken where it has no value and where it leaves the rim.
-fn lobe(sheet: &mut Sheet, trace: &Trace, curve: &Curve, active: bool) {
-    let ink = Ink::from(Role::Series(curve.series)).faded(if active { 1.0 } else { 0.5 });
-    let width = curve.look.width() * if active { 1.0 } else { 0.6 };
+fn lobe(sheet: &mut Sheet, trace: &Trace, subject: &Subject, active: bool) {
+    let ink = Ink::from(Role::Series(subject.series)).faded(if active { 1.0 } else { 0.5 });
+    let width = subject.look.width() * if active { 1.0 } else { 0.6 };
     for points in runs(sheet.frame, trace) {
         if let [lone] = points[..] {
             sheet.drawing.items.push(Item::Dot {
@@ -73,7 +76,7 @@ fn lobe(sheet: &mut Sheet, trace: &Trace, curve: &Curve, active: bool) {
                 outline: None,
             });
         }
-        let dash = curve.look.dash();
+        let dash = subject.look.dash();
         sheet.drawing.dashed_line(thinned(points), width, dash, ink);
     }
 }
@@ -145,8 +148,8 @@ pub(super) fn off_segment(p: Point, a: Point, b: Point) -> f32 {
 }
 
 /// Where the probe meets the active lobes.
-fn probe_dots(sheet: &mut Sheet, spec: &LobeSpec, curves: &[Curve], traces: &[&Trace]) {
-    let Some(theta_o) = spec.probe_theta_o else {
+fn probe_dots(sheet: &mut Sheet, spec: &LobeSpec, subjects: &[Subject], traces: &[&Trace]) {
+    let Some(Mark { at: theta_o, exact }) = spec.probe else {
         return;
     };
     for trace in traces.iter().filter(|trace| trace.lobe == spec.active) {
@@ -154,12 +157,9 @@ fn probe_dots(sheet: &mut Sheet, spec: &LobeSpec, curves: &[Curve], traces: &[&T
             continue;
         };
         if sheet.frame.axis.position(value) <= 1.0 {
-            sheet.drawing.items.push(Item::Dot {
-                center: sheet.frame.point(theta_o, value),
-                radius: 4.0,
-                ink: Role::Series(curves[trace.curve].series).into(),
-                outline: Some((1.5, Role::Background.into())),
-            });
+            let center = sheet.frame.point(theta_o, value);
+            let role = Role::Series(subjects[trace.subject].series);
+            sheet.drawing.items.push(probe_dot(center, role, exact));
         }
     }
 }

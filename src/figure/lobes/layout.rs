@@ -1,7 +1,9 @@
 //! How a lobe plot divides its rectangle: the half disc as large as title and legend leave it.
 
-use super::{Curve, LobeSpec};
+use super::LobeSpec;
 use crate::figure::drawing::{LINE_HEIGHT, Point};
+use crate::figure::legend::SWATCH_EM;
+use crate::figure::subject::Subject;
 use crate::figure::text::{RichText, elided};
 
 /// Places and sizes in points.
@@ -14,26 +16,20 @@ pub(super) struct Plan {
     pub radius: f32,
     /// What is plotted, and the left end of its text.
     pub title: (RichText, Point),
-    /// One entry per shown curve: its position in the list, its name, the left end of its line.
+    /// One entry per subject: its position in the list, its name, the left end of its line.
     pub legend: Vec<(usize, RichText, Point)>,
 }
 
-/// Length of the line before a legend's name, with the space behind it, in units of the font size.
-pub(super) const SWATCH_EM: f32 = 2.6;
-
 impl Plan {
-    pub(super) fn new(spec: &LobeSpec, curves: &[Curve], [width, height]: [f32; 2]) -> Self {
+    pub(super) fn new(spec: &LobeSpec, subjects: &[Subject], [width, height]: [f32; 2]) -> Self {
         let font = (width.min(1.4 * height) / 38.0).clamp(9.5, 14.0);
         let pad = 0.7 * font;
         let line = LINE_HEIGHT * font;
-        let shown: Vec<usize> = (0..curves.len())
-            .filter(|k| spec.shows(&curves[*k]))
-            .collect();
         let title = title(spec, (width - 2.0 * pad) / font);
         let named = |share: f32| -> Vec<RichText> {
             let room_em = ((share * width - 2.0 * pad) / font - SWATCH_EM).clamp(3.0, 24.0);
-            let label = |k: &usize| elided(&curves[*k].label, room_em);
-            shown.iter().map(label).collect()
+            let name = |subject: &Subject| elided(&subject.label, room_em);
+            subjects.iter().map(name).collect()
         };
         let names = named(0.5);
         let entry = |name: &RichText| font * (SWATCH_EM + name.width_em());
@@ -91,7 +87,7 @@ impl Plan {
         } else {
             long_names
         };
-        for (row, (curve, name)) in shown.iter().zip(names).enumerate().rev() {
+        for (row, name) in names.into_iter().enumerate().rev() {
             let pos = if corners {
                 [width - pad - legend_width, first + line * row as f32]
             } else if one_row {
@@ -102,7 +98,7 @@ impl Plan {
             } else {
                 [left, first + line * (row + 1) as f32]
             };
-            legend.push((*curve, name, pos));
+            legend.push((row, name, pos));
         }
         legend.reverse();
         Self {

@@ -3,8 +3,11 @@ use super::*;
 use crate::figure::drawing::Item;
 use crate::figure::palette::Role;
 use crate::figure::scale::RADIAL_SCALES;
+use crate::figure::subject::{CHANNELS, Look, Source};
 use crate::geom::Cosines;
+use crate::geom::Rgb;
 use std::f64::consts::FRAC_PI_2;
+use std::sync::Arc;
 
 const SIZE: [f32; 2] = [640.0, 400.0];
 
@@ -14,12 +17,13 @@ fn closed_form(wi: DVec3, wo: DVec3) -> Option<Rgb> {
     Some([0.1 + c.wr_wo.cos.max(0.0).powi(20); 3])
 }
 
-fn curve(f_r: &dyn Fn(DVec3, DVec3) -> Option<Rgb>) -> Curve<'_> {
-    Curve {
+fn curve(f_r: impl Fn(DVec3, DVec3) -> Option<Rgb> + Send + Sync + 'static) -> Subject {
+    Subject {
         label: "f".into(),
         look: Look::Measured,
         series: 0,
-        f_r,
+        hidden: false,
+        source: Source::Function(Arc::new(f_r)),
     }
 }
 
@@ -43,7 +47,7 @@ fn worst_distance(scale: RadialScale, with_cosine: bool, planted_deg: f64) -> f6
         with_cosine,
         ..LobeSpec::default()
     };
-    let plot = LobePlot::new(&spec, &[curve(&closed_form)], SIZE);
+    let plot = LobePlot::new(&spec, &[curve(closed_form)], SIZE);
     let (frame, lines) = (&plot.frame, drawn(&plot));
     assert_eq!(lines.len(), 1);
     let factor = if with_cosine { theta_i.cos() } else { 1.0 };
@@ -88,17 +92,17 @@ fn where_nothing_was_measured_there_is_a_gap() {
         active: 0,
         ..LobeSpec::default()
     };
-    let plot = LobePlot::new(&spec, &[curve(&gap)], SIZE);
+    let plot = LobePlot::new(&spec, &[curve(gap)], SIZE);
     let lines = drawn(&plot);
     assert_eq!(lines.len(), 2);
     for point in lines.into_iter().flatten() {
         let (theta_o, value) = plot.frame.locate(*point).expect("in the disc");
         assert!(theta_o.sin().abs() >= 0.2 - 1e-4 && value > 0.09);
     }
-    let whole = LobePlot::new(&spec, &[curve(&closed_form)], SIZE);
+    let whole = LobePlot::new(&spec, &[curve(closed_form)], SIZE);
     assert_eq!(drawn(&whole).len(), 1);
     let nan = |_: DVec3, _: DVec3| Some([f64::NAN; 3]);
-    let none = LobePlot::new(&spec, &[curve(&nan)], SIZE);
+    let none = LobePlot::new(&spec, &[curve(nan)], SIZE);
     assert!(drawn(&none).is_empty());
     let said: Vec<String> = none.drawing.labels().map(|l| l.text.plain()).collect();
     assert!(said.contains(&"No value at these angles.".to_owned()));
@@ -113,7 +117,7 @@ fn past_a_fixed_limit_curves_end_on_the_rim() {
         scale: RadialScale::Linear,
         ..LobeSpec::default()
     };
-    let plot = LobePlot::new(&spec, &[curve(&closed_form)], SIZE);
+    let plot = LobePlot::new(&spec, &[curve(closed_form)], SIZE);
     let (frame, lines) = (&plot.frame, drawn(&plot));
     assert_eq!((frame.axis.limit, lines.len()), (0.5, 2));
     let radius = |p: Point| distance(p, frame.origin) / frame.radius;
@@ -133,7 +137,7 @@ fn narrow_lobes_keep_their_peak() {
         active: 0,
         ..LobeSpec::default()
     };
-    let plot = LobePlot::new(&spec, &[curve(&narrow)], SIZE);
+    let plot = LobePlot::new(&spec, &[curve(narrow)], SIZE);
     let (theta_o, value) = plot.traces[0].peak().expect("has values");
     assert!((theta_o - 0.7123).abs() < 1e-12 && (value - 1.0).abs() < 1e-9);
     assert_eq!(plot.frame.axis.limit, 1.0);
@@ -186,51 +190,41 @@ fn the_light_can_be_taken_where_it_is_drawn() {
 }
 
 #[test]
-fn the_pointer_finds_the_value_under_it() {
-    let flat = |_: DVec3, _: DVec3| Some([0.5; 3]);
-    let spec = LobeSpec {
-        theta_i: vec![0.7],
-        ..LobeSpec::default()
-    };
-    let plot = LobePlot::new(&spec, &[curve(&closed_form), curve(&flat)], SIZE);
-    let near = plot.frame.point(-0.5, 0.48);
-    let hit = plot.hit(near, 12.0).expect("one is near");
-    assert_eq!((hit.curve, hit.lobe), (1, 0));
-    assert!((hit.theta_o + 0.5).abs() < 1e-4 && (hit.value - 0.5).abs() < 1e-9);
-    assert_eq!(plot.hit(plot.frame.point(-0.5, 0.9), 12.0), None);
-}
-
-#[test]
-fn hidden_curves_count_for_nothing() {
-    let high = |_: DVec3, _: DVec3| Some([50.0; 3]);
-    let curves = || {
-        let model = Curve {
+fn hidden_subjects_count_for_nothing_and_keep_their_name() {
+    let plot = |hidden| {
+        let model = Subject {
+            label: "high".into(),
             look: Look::Model,
-            ..curve(&high)
+            hidden,
+            ..curve(|_: DVec3, _: DVec3| Some([50.0; 3]))
         };
-        [curve(&closed_form), model]
+        LobePlot::new(&LobeSpec::default(), &[curve(closed_form), model], SIZE)
     };
-    let spec = LobeSpec {
-        show_model: false,
-        ..LobeSpec::default()
-    };
-    let limit = |spec: &LobeSpec| LobePlot::new(spec, &curves(), SIZE).frame.axis.limit;
-    assert_eq!(limit(&LobeSpec::default()), 50.0);
-    assert_eq!(limit(&spec), 1.5);
+    assert_eq!(plot(false).frame.axis.limit, 50.0);
+    let hidden = plot(true);
+    assert_eq!(hidden.frame.axis.limit, 1.5);
+    let name = hidden.drawing.labels().find(|l| l.text.plain() == "high");
+    assert!(name.is_some_and(|label| label.ink.opacity < 0.5));
+    let [min, max] = hidden.legend[1].bounds;
+    let middle = [0.5 * (min[0] + max[0]), 0.5 * (min[1] + max[1])];
+    assert_eq!(
+        crate::figure::legend::subject_at(&hidden.legend, middle),
+        Some(1)
+    );
 }
 
 /// Dash and colour of the lines of each curve of a plot with a measurement, a model and four fits beside it.
 fn looks() -> Vec<(Option<[f32; 2]>, Role)> {
-    let beside = [(1, false), (1, true), (2, false), (2, true)].map(|(series, long)| Curve {
+    let beside = [(1, false), (1, true), (2, false), (2, true)].map(|(series, long)| Subject {
         look: Look::Beside { long },
         series,
-        ..curve(&closed_form)
+        ..curve(closed_form)
     });
-    let model = Curve {
+    let model = Subject {
         look: Look::Model,
-        ..curve(&closed_form)
+        ..curve(closed_form)
     };
-    let mut curves = vec![curve(&closed_form), model];
+    let mut curves = vec![curve(closed_form), model];
     curves.extend(beside);
     let plot = LobePlot::new(&LobeSpec::default(), &curves, SIZE);
     let mut looks = Vec::new();
@@ -286,14 +280,14 @@ fn no_text_covers_another_in_any_size() {
                     let spec = LobeSpec {
                         theta_i: theta_i_deg.map(f64::to_radians).to_vec(),
                         scale,
-                        probe_theta_o: probe,
+                        probe: probe.map(|at| Mark { at, exact: true }),
                         ..LobeSpec::default()
                     };
-                    let long = Curve {
+                    let long = Subject {
                         label: "a rather long name of a material (synthetic)".into(),
-                        ..curve(&closed_form)
+                        ..curve(closed_form)
                     };
-                    let plot = LobePlot::new(&spec, &[long, curve(&closed_form)], size);
+                    let plot = LobePlot::new(&spec, &[long, curve(closed_form)], size);
                     let clashes = clashes(&plot.drawing);
                     assert!(clashes.is_empty(), "{size:?} {spec:?}: {clashes:?}");
                     assert!(plot.frame.radius > 0.3 * size[0].min(1.2 * size[1]));
@@ -323,10 +317,13 @@ fn every_size_is_drawn_with_finite_numbers() {
             let spec = LobeSpec {
                 theta_i,
                 active: 7,
-                probe_theta_o: Some(0.4),
+                probe: Some(Mark {
+                    at: 0.4,
+                    exact: true,
+                }),
                 ..LobeSpec::default()
             };
-            let drawing = LobePlot::new(&spec, &[curve(&closed_form)], size).drawing;
+            let drawing = LobePlot::new(&spec, &[curve(closed_form)], size).drawing;
             for item in &drawing.items {
                 let points = match item {
                     Item::Line { points, .. } | Item::Fill { points, .. } => points.clone(),

@@ -1,13 +1,14 @@
 //! The numbers of a lobe plot: every curve sampled over θo for every θi.
 
-use super::{Curve, LobeSpec};
+use super::LobeSpec;
+use crate::figure::subject::Subject;
 use std::f64::consts::FRAC_PI_2;
 
 /// One curve at one θi.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trace {
-    /// Position of the curve in the list that was plotted.
-    pub curve: usize,
+    /// Position of the subject in the list that was plotted.
+    pub subject: usize,
     /// Position of θi in the spec.
     pub lobe: usize,
     /// By ascending θo, from horizon to horizon.
@@ -53,18 +54,18 @@ impl Trace {
 }
 
 /// All curves that are shown, for all θi.
-pub(super) fn trace_all(spec: &LobeSpec, curves: &[Curve]) -> Vec<Trace> {
+pub(super) fn trace_all(spec: &LobeSpec, subjects: &[Subject]) -> Vec<Trace> {
     let mut traces = Vec::new();
     for (lobe, theta_i) in spec.theta_i.iter().enumerate() {
         let angles = angles_around(*theta_i);
-        for (index, curve) in curves.iter().enumerate() {
-            if spec.shows(curve) {
+        for (index, subject) in subjects.iter().enumerate() {
+            if !subject.hidden {
                 let samples = angles.iter().map(|theta_o| Sample {
                     theta_o: *theta_o,
-                    value: spec.value(curve, *theta_i, *theta_o),
+                    value: spec.value(subject, *theta_i, *theta_o),
                 });
                 traces.push(Trace {
-                    curve: index,
+                    subject: index,
                     lobe,
                     samples: samples.collect(),
                 });
@@ -121,7 +122,7 @@ mod tests {
     fn values_between_samples_need_both_neighbours() {
         let sample = |theta_o, value| Sample { theta_o, value };
         let trace = Trace {
-            curve: 0,
+            subject: 0,
             lobe: 0,
             samples: vec![
                 sample(0.0, Some(1.0)),

@@ -1,0 +1,164 @@
+//! Whose f_r is plotted, and how it looks: measurements, models and fits.
+
+use crate::brdf::Brdf;
+use crate::geom::{Rgb, color::luminance};
+use crate::measured::Table;
+use crate::measured::lookup::Lookup;
+use glam::DVec3;
+use std::fmt;
+use std::sync::Arc;
+
+/// What of a colour is plotted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Channel {
+    /// Relative luminance with the Rec. 709 primaries.
+    #[default]
+    Luminance,
+    /// Red.
+    R,
+    /// Green.
+    G,
+    /// Blue.
+    B,
+}
+
+/// All channels in the order offered.
+pub const CHANNELS: [Channel; 4] = [Channel::Luminance, Channel::R, Channel::G, Channel::B];
+
+impl Channel {
+    /// Name in files and on the command line.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Luminance => "luminance",
+            Self::R => "r",
+            Self::G => "g",
+            Self::B => "b",
+        }
+    }
+
+    /// Name on screen.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Luminance => "luminance",
+            Self::R => "red",
+            Self::G => "green",
+            Self::B => "blue",
+        }
+    }
+
+    /// The channel whose key this is.
+    pub fn by_key(key: &str) -> Option<Self> {
+        CHANNELS.into_iter().find(|channel| channel.key() == key)
+    }
+
+    /// Its value in linear RGB.
+    pub fn of(self, rgb: Rgb) -> f64 {
+        match self {
+            Self::Luminance => luminance(rgb),
+            Self::R => rgb[0],
+            Self::G => rgb[1],
+            Self::B => rgb[2],
+        }
+    }
+}
+
+/// f_r of (wi, wo) in 1/sr; `None` where it has no value.
+pub type Function = dyn Fn(DVec3, DVec3) -> Option<Rgb> + Send + Sync;
+
+/// Where the values of a subject come from. Cheap to copy.
+#[derive(Clone)]
+pub enum Source {
+    /// A measured table.
+    Measured(Arc<Table>, Lookup),
+    /// A model with its parameters.
+    Model(Brdf),
+    /// Anything else.
+    Function(Arc<Function>),
+}
+
+impl Source {
+    /// f_r of (wi, wo) in 1/sr; `None` below the horizon and where nothing was measured.
+    pub fn f_r(&self, wi: DVec3, wo: DVec3) -> Option<Rgb> {
+        match self {
+            Self::Measured(table, lookup) => table.lookup(wi, wo, *lookup),
+            Self::Model(brdf) => brdf.f_r(wi, wo),
+            Self::Function(function) => function(wi, wo),
+        }
+    }
+}
+
+impl PartialEq for Source {
+    /// Tables and functions are equal where they are the same one in memory.
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Measured(a, by), Self::Measured(b, other_by)) => {
+                Arc::ptr_eq(a, b) && by == other_by
+            }
+            (Self::Model(a), Self::Model(b)) => a == b,
+            (Self::Function(a), Self::Function(b)) => Arc::ptr_eq(a, b),
+            _ => false,
+        }
+    }
+}
+
+impl fmt::Debug for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Measured(table, lookup) => {
+                write!(f, "Measured({} valid, {lookup:?})", table.valid_count())
+            }
+            Self::Model(brdf) => write!(f, "Model({brdf:?})"),
+            Self::Function(_) => write!(f, "Function"),
+        }
+    }
+}
+
+/// How the lines of a subject look; in the order in which they are drawn over each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Look {
+    /// Solid.
+    Measured,
+    /// A fit beside the model, thinner: dotted, or with long dashes.
+    Beside {
+        /// Which of the two.
+        long: bool,
+    },
+    /// Dashed.
+    Model,
+}
+
+impl Look {
+    /// Dash and gap in points; `None` for solid.
+    pub fn dash(self) -> Option<[f32; 2]> {
+        match self {
+            Self::Measured => None,
+            Self::Model => Some([6.0, 3.5]),
+            Self::Beside { long: false } => Some([1.6, 2.8]),
+            Self::Beside { long: true } => Some([12.0, 4.0]),
+        }
+    }
+
+    /// Width of a line in points.
+    pub fn width(self) -> f32 {
+        match self {
+            Self::Measured | Self::Model => 2.0,
+            Self::Beside { .. } => 1.6,
+        }
+    }
+}
+
+/// A BRDF to plot.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Subject {
+    /// Its name in the legend.
+    pub label: String,
+    /// Measurement or model.
+    pub look: Look,
+    /// The material it belongs to, which gives the colour; of a fit beside it, its own
+    /// [`super::palette::companion`].
+    pub series: usize,
+    /// Whether only its name in the legend is shown, greyed.
+    pub hidden: bool,
+    /// Its values.
+    pub source: Source,
+}

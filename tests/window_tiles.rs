@@ -1,0 +1,101 @@
+//! The tiles of the real window: the probe they share, their legends, their places.
+
+mod common;
+
+use common::skip_gpu;
+use common::window::{Window, drag, press, run, window};
+use egui::accesskit::Role;
+use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable;
+use grazing::app::command::Command;
+use grazing::app::subjects::What;
+use grazing::app::tiles::Pane;
+
+#[test]
+fn a_click_pins_the_probe_and_copies_its_row() {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = window(vec![], vec![]);
+    let rect = window
+        .get_by_role_and_label(Role::Image, "Polar lobes")
+        .rect();
+    let at = |dx: f32| rect.center() + egui::vec2(dx, 40.0);
+    window.hover_at(at(30.0));
+    window.run_steps(2);
+    let hovered = window.state().state().probe().expect("a probe");
+    assert!(hovered.signed_theta_o() > 0.0);
+    drag(&mut window, &[at(30.0), at(30.0)]);
+    window.hover_at(at(-60.0));
+    window.run_steps(2);
+    assert_eq!(window.state().state().probe(), Some(hovered));
+    window.event(egui::Event::Copy);
+    window.step();
+    let copied = window.output().platform_output.commands.clone();
+    let row = copied.into_iter().find_map(|command| match command {
+        egui::OutputCommand::CopyText(text) => Some(text),
+        _ => None,
+    });
+    let row = row.expect("a row");
+    let lines: Vec<Vec<&str>> = row.lines().map(|line| line.split('\t').collect()).collect();
+    assert_eq!(lines[0].len(), lines[1].len());
+    let theta_o = lines[0].iter().position(|name| *name == "theta_o_deg");
+    let theta_o: f64 = lines[1][theta_o.expect("named")].parse().expect("degrees");
+    assert!((theta_o - hovered.signed_theta_o().to_degrees()).abs() < 1e-5);
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    assert_eq!(window.state().state().pinned, None);
+}
+
+#[test]
+fn a_name_in_the_legend_hides_its_curves() {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = window(vec![], vec![]);
+    let hidden = |window: &Window| window.state().state().scene.hidden.len();
+    let click = |window: &mut Window, name: &str| {
+        window.get_by_role_and_label(Role::CheckBox, name).click();
+        window.run_steps(3);
+    };
+    let model = "Show Combined";
+    click(&mut window, model);
+    assert_eq!(hidden(&window), 1);
+    // Long enough for the next click to be one of its own.
+    window.run_steps(20);
+    click(&mut window, model);
+    assert_eq!(hidden(&window), 0);
+    window.run_steps(20);
+    click(&mut window, model);
+    click(&mut window, model);
+    let state = window.state().state();
+    let what: Vec<What> = state.scene.hidden.iter().map(|key| key.what).collect();
+    assert_eq!(what, [What::Measured], "alone");
+}
+
+#[test]
+fn tiles_close_and_come_back() {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = window(vec![], vec![]);
+    let toggle = Command::ToggleTile(Pane::Lobes);
+    let lobes = |window: &Window| {
+        window
+            .query_by_role_and_label(Role::Image, "Polar lobes")
+            .is_some()
+    };
+    assert!(lobes(&window));
+    run(&mut window, toggle);
+    assert!(!lobes(&window));
+    run(&mut window, toggle);
+    assert!(lobes(&window));
+    run(&mut window, toggle);
+    run(&mut window, Command::ResetLayout);
+    assert!(lobes(&window));
+    window
+        .get_by_role_and_label(Role::Button, "Help: Polar lobes")
+        .click();
+    window.run_steps(3);
+    let help = Pane::Lobes.row().help[0];
+    window.get_by_label(help);
+}
