@@ -8,6 +8,8 @@ pub mod lobes;
 pub mod mark;
 pub mod palette;
 mod placing;
+pub mod plot;
+mod polyline;
 pub mod scale;
 pub mod subject;
 pub mod text;
