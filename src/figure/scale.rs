@@ -158,6 +158,17 @@ impl Axis {
             RadialScale::Log => 10f64.powf(bent),
         }
     }
+
+    /// The ends of what is seen `factor` times larger, with the value at length `around` where it was.
+    pub fn zoomed(&self, around: f64, factor: f64) -> [f64; 2] {
+        let (below, above) = (around / factor, (1.0 - around) / factor);
+        [self.value(around - below), self.value(around + above)]
+    }
+
+    /// The ends of what is seen a length further on.
+    pub fn moved(&self, by: f64) -> [f64; 2] {
+        [self.value(by), self.value(1.0 + by)]
+    }
 }
 
 /// The next round limit that is not below `max`: 1, 1.5, 2, 2.5, 3, 4, 5, 6 or 8 times a power of ten; 1 for `max` = 0.

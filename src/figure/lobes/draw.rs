@@ -87,7 +87,7 @@ fn runs(frame: &LobeFrame, trace: &Trace) -> Vec<Vec<Point>> {
     let samples = trace
         .samples
         .iter()
-        .map(|sample| (sample.theta_o, sample.value.map(|x| frame.axis.position(x))));
+        .map(|sample| (sample.x, sample.value.map(|x| frame.axis.position(x))));
     polyline::runs(samples, |theta_o, position| frame.at(theta_o, position))
 }
 

@@ -268,4 +268,4 @@ impl Plot {
 }
 
 #[cfg(test)]
-mod tests;
+pub(in crate::figure) mod tests;
