@@ -2,6 +2,7 @@
 //!
 //! A new figure is a file that builds a `Drawing`; a new format is a file that walks one.
 
+pub mod albedo;
 pub mod drawing;
 pub mod legend;
 pub mod lobes;

@@ -40,7 +40,7 @@ pub fn reflectance(theta_i: f64, f_r: impl Fn(DVec3, DVec3) -> Option<Rgb>) -> R
             let theta_h = t * t * FRAC_PI_2;
             let row = 2.0 * t * FRAC_PI_2 * weight * half;
             let reach = reach(theta_i, theta_h);
-            // Half a degree at most between nodes.
+            // As many as there are bins of φd on the way round.
             let nodes = ((reach.to_degrees() * 2.0 * NODES_PER_DEGREE).ceil() as usize).max(8);
             let step = 2.0 * reach / nodes as f64;
             for k in 0..nodes {

@@ -49,7 +49,7 @@ impl Plan {
         let title_width = font * title.width_em();
         let first = pad + 0.5 * line;
         let (legend, rows) = legend(outline.subjects, font, [width, height], title_width);
-        let top = pad + line * (1 + rows) as f32 + 0.35 * line;
+        let top = pad + line * (1 + rows) as f32 + 0.6 * line;
 
         let below = if height >= ROOMY { 2.0 } else { 1.0 };
         let bottom = height - 0.4 * pad - line * below - NUMBER_GAP_EM * font;

@@ -53,7 +53,7 @@ fn lambert_reflects_rho_d_at_every_angle() {
 /// Largest distance of Phong at normal incidence to k_s 2π/(s + 2), for exponents with an error put in.
 fn worst_phong(lookup: Lookup, planted: f64) -> f64 {
     let mut worst: f64 = 0.0;
-    for s in [3.0, 30.0, 300.0, 3000.0] {
+    for s in [3.0, 30.0, 300.0, 1000.0] {
         let mut phong = model("phong", Fresnel::None, s);
         phong.params.s *= 1.0 + planted;
         let found = albedo(&of_model(&phong), lookup, 0.0).rgb[0];
