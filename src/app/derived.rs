@@ -7,13 +7,19 @@
 use super::jobs::Outbox;
 use super::state::{CancelFlag, State};
 use super::update::{Msg, Task};
+use super::views::albedo::{MeasuredAlbedo, ModelAlbedo};
 use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 /// The slots of all kinds.
 #[derive(Debug, Default)]
-pub struct Derived {}
+pub struct Derived {
+    /// Albedos of measurements.
+    pub measured_albedo: Slot<MeasuredAlbedo>,
+    /// Albedos of models.
+    pub model_albedo: Slot<ModelAlbedo>,
+}
 
 /// A result that takes long, by what it is made from.
 pub trait Wish: Clone + PartialEq + fmt::Debug + Send + 'static {

@@ -6,6 +6,7 @@ use super::history::History;
 use super::probe::Probe;
 use super::subjects::SubjectKey;
 use super::tiles::Tiles;
+use super::views::{AlbedoView, SlicesView};
 use crate::brdf::{Brdf, ParamId};
 use crate::figure::Channel;
 use crate::figure::scale::RadialScale;
@@ -144,6 +145,10 @@ pub struct Scene {
     pub sphere: SphereTile,
     /// The polar lobes.
     pub lobes: LobeTile,
+    /// The slices.
+    pub slices: SlicesView,
+    /// The albedo.
+    pub albedo: AlbedoView,
 }
 
 impl Default for Scene {
@@ -166,6 +171,8 @@ impl Default for Scene {
                 with_cosine: false,
                 channel: Channel::Luminance,
             },
+            slices: SlicesView::default(),
+            albedo: AlbedoView::default(),
         }
     }
 }

@@ -11,6 +11,7 @@ use super::state::{
     SphereTile, State,
 };
 use super::subjects::{self, SubjectKey, Subjects};
+use super::views::{AlbedoView, SlicesView};
 use crate::brdf::{Brdf, ParamId, Params};
 use crate::files::SourceFile;
 use crate::files::fits::MaterialFits;
@@ -67,6 +68,10 @@ pub enum Msg {
     SetSphere(SphereTile),
     /// Change the lobe tile.
     SetLobes(LobeTile),
+    /// Change the slices.
+    SetSlices(SlicesView),
+    /// Change the albedo plot.
+    SetAlbedo(AlbedoView),
     /// The pointer shows a pair of directions, or none.
     Hover(Option<Probe>),
     /// Keep a pair of directions marked, or let it go.
@@ -239,6 +244,8 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
         Msg::Fit(msg) => return steps::apply(state, msg),
         Msg::SetSphere(sphere) => edit(state, |scene| scene.sphere = sphere),
         Msg::SetLobes(lobes) => edit(state, |scene| scene.lobes = lobes),
+        Msg::SetSlices(slices) => edit(state, |scene| scene.slices = slices),
+        Msg::SetAlbedo(albedo) => edit(state, |scene| scene.albedo = albedo),
         Msg::Hover(probe) => state.hovered = probe,
         Msg::Pin(probe) => state.pinned = probe,
         Msg::Legend { key, solo } => {

@@ -1,12 +1,16 @@
 //! The movable tiles in the middle: a row per view, and where they are.
 
+mod albedo;
 mod controls;
 mod fits;
 mod legend;
 mod lobes;
 mod panes;
+mod slices;
+mod slices_bar;
 mod sphere;
 pub mod sphere_callback;
+mod zoom;
 
 pub use panes::{PANES, Pane};
 

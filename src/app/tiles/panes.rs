@@ -1,6 +1,6 @@
 //! The kinds of tiles, as rows: name, help, and what draws them.
 
-use super::{fits, lobes, sphere};
+use super::{albedo, fits, lobes, slices, sphere};
 use crate::app::state::State;
 use crate::app::update::Msg;
 use serde::{Deserialize, Serialize};
@@ -12,6 +12,8 @@ pub enum Pane {
     Sphere,
     Fits,
     Lobes,
+    Slices,
+    Albedo,
 }
 
 /// Which half of the default layout a tile is in.
@@ -40,7 +42,7 @@ pub struct Row {
 }
 
 /// All kinds of tiles in the order of their tabs.
-pub const PANES: [Row; 3] = [
+pub const PANES: [Row; 5] = [
     Row {
         pane: Pane::Sphere,
         key: "sphere",
@@ -79,6 +81,30 @@ pub const PANES: [Row; 3] = [
         ],
         home: Home::Lower,
         ui: lobes::lobes_ui,
+    },
+    Row {
+        pane: Pane::Slices,
+        key: "slices",
+        name: "Slices",
+        help: [
+            "f_r over one angle with the others fixed, and what is between model and measurement below.",
+            "The wheel zooms the angle, over the numbers at the left or with Ctrl the values; drag to pan, double click resets.",
+            "Point to read values, click to pin. \"Follow probe\" takes the fixed angles from the other views.",
+        ],
+        home: Home::Lower,
+        ui: slices::slices_ui,
+    },
+    Row {
+        pane: Pane::Albedo,
+        key: "albedo",
+        name: "Albedo",
+        help: [
+            "The share of the light from one angle that comes back, over all view directions; more than 1 is marked.",
+            "Of a measurement it is the sum over what was measured; the dotted line says which share that is.",
+            "Point to read values, click to pin. The wheel zooms, double click resets.",
+        ],
+        home: Home::Lower,
+        ui: albedo::albedo_ui,
     },
 ];
 

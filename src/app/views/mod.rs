@@ -1,1 +1,7 @@
 //! What the tiles are set to show, as plain data: a file per view, a field of the scene each.
+
+pub mod albedo;
+pub mod slices;
+
+pub use albedo::AlbedoView;
+pub use slices::SlicesView;
