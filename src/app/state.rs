@@ -10,7 +10,7 @@ use crate::figure::Channel;
 use crate::figure::scale::RadialScale;
 use crate::files::SourceFile;
 use crate::fit::Variant;
-use crate::gpu::sphere::SphereView;
+use crate::geom::sphere::SphereView;
 use crate::measured::Table;
 use crate::measured::lookup::Lookup;
 use serde::{Deserialize, Serialize};

@@ -5,6 +5,5 @@
 pub mod adapter;
 pub mod offscreen;
 pub mod shader;
-pub mod sphere;
 pub mod sphere_pass;
 pub mod table_texture;

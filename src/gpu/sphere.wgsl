@@ -1,4 +1,4 @@
-// The sphere pass; twin of the definitions in sphere.rs. Table and model are parts of a square with shaders of their own:
+// The sphere pass; twin of the definitions in geom/sphere.rs. Table and model are parts of a square with shaders of their own:
 // a software rasteriser computes both sides of every branch.
 //
 // No @align or @size in uniforms: the GLSL that GL gets knows neither, and would read other numbers.

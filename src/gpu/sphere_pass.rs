@@ -1,14 +1,11 @@
 //! The sphere pass: pipeline, uniform, draw.
 
 use super::shader;
-use super::sphere::{MAX_LIGHTS, SphereView, exposed_strength};
 use super::table_texture::TableTexture;
 use crate::brdf::Brdf;
 use crate::brdf::wgsl::{UNIFORM_SLOTS, uniform};
+use crate::geom::sphere::{HATCH, MAX_LIGHTS, SphereView, irradiance};
 use crate::measured::lookup::Lookup;
-
-/// The two tones of the hatch on unmeasured directions, sRGB-encoded: visible on light and dark ground.
-const HATCH: [[f32; 4]; 2] = [[0.36, 0.36, 0.40, 1.0], [0.62, 0.62, 0.66, 1.0]];
 
 /// The uniform `Sphere` of `sphere.wgsl`, in its layout.
 #[repr(C)]
@@ -46,7 +43,7 @@ impl SphereUniform {
         let mut lights = [[[0.0; 4]; 2]; MAX_LIGHTS];
         for (slot, light) in lights.iter_mut().zip(&view.lights) {
             let [x, y, z] = light.direction.as_vec3().to_array();
-            let [r, g, b] = exposed_strength(light, view.exposure_stops);
+            let [r, g, b] = irradiance(light, view.exposure_stops).map(|x| x as f32);
             *slot = [[x, y, z, 0.0], [r, g, b, 0.0]];
         }
         Self {

@@ -7,7 +7,7 @@ use crate::brdf::MODELS;
 use crate::brdf::fresnel::{FRESNELS, Fresnel};
 use crate::figure::scale::RADIAL_SCALES;
 use crate::fit::WEIGHTS;
-use crate::gpu::sphere::LIGHT_PRESETS;
+use crate::geom::sphere::LIGHT_PRESETS;
 use crate::measured::samples::SAMPLES;
 use egui::{Key, KeyboardShortcut, Modifiers};
 

@@ -7,7 +7,7 @@ use crate::app::probe::{self, Probe};
 use crate::app::state::{SHOWS, Show, SphereTile, State};
 use crate::app::update::Msg;
 use crate::geom::HalfDiff;
-use crate::gpu::sphere::{
+use crate::geom::sphere::{
     LIGHT_PRESETS, highlight_of, light_for_highlight_at, local_directions, point_of,
 };
 use egui::{Align2, Color32, CursorIcon, FontId, Pos2, Rect, Sense, Stroke, Vec2, pos2, vec2};
