@@ -5,6 +5,8 @@ mod common;
 use common::{Random, gpu};
 use grazing::brdf::fresnel::Fresnel;
 use grazing::brdf::{Brdf, MODELS, Params};
+use grazing::figure::sphere_image;
+use grazing::figure::subject::Source;
 use grazing::geom::Cosines;
 use grazing::geom::color::srgb_bytes;
 use grazing::geom::sphere::{SphereView, local_directions};
@@ -16,6 +18,7 @@ use grazing::measured::lookup::Lookup;
 use grazing::measured::{Grid, Table};
 use image::RgbaImage;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 const SIZE: u32 = 200;
 
@@ -196,4 +199,38 @@ fn gl_draws_the_same_sphere() {
     let differing = differing.count();
     assert!(differing < (SIZE * SIZE) as usize / 20, "{differing}");
     assert!(b.get_pixel(SIZE * 3 / 4, SIZE / 2).0[0] > 40, "lit");
+}
+
+/// Mean distance in steps of 255 between the picture of the adapter and the one without, for the table and the model.
+fn mean_distance(gpu: &Gpu, table: &Arc<Table>, shift: f64) -> f64 {
+    let texture = TableTexture::upload(&gpu.device, &gpu.queue, table);
+    let view = SphereView {
+        exposure_stops: shift,
+        ..SphereView::default()
+    };
+    let sources = [
+        (2.0, Source::Measured(Arc::clone(table), Lookup::Smooth)),
+        (-2.0, Source::Model(brdf())),
+    ];
+    let mut total = 0.0;
+    for (split, source) in sources {
+        let first = picture(gpu, &texture, split, Lookup::Smooth);
+        let second = sphere_image(&source, &view, SIZE as usize);
+        let distances = first.as_raw().iter().zip(&second);
+        let sum: f64 = distances.map(|(a, b)| f64::from(a.abs_diff(*b))).sum();
+        total += sum / second.len() as f64;
+    }
+    0.5 * total
+}
+
+#[test]
+fn the_picture_without_an_adapter_is_the_same() {
+    let Some(gpu) = gpu() else { return };
+    let table = Arc::new(table(0.2));
+    let mean = mean_distance(&gpu, &table, 0.0);
+    println!("with and without an adapter: {mean:.3} of 255 apart");
+    assert!(mean < 0.05, "{mean}");
+    // A fortieth of a stop is 1.7 % of the light.
+    let planted = mean_distance(&gpu, &table, 0.025);
+    assert!(planted > 0.2, "a planted shift went unnoticed: {planted}");
 }
