@@ -77,6 +77,7 @@ impl App {
             .as_ref()
             .ok_or("the window has no wgpu renderer")?;
         tiles::sphere_callback::install(render_state);
+        tiles::lobe3d_callback::install(render_state);
         set_style(&cc.egui_ctx);
         let (outbox, inbox) = Outbox::new(cc.egui_ctx.clone());
         let mut app = Self {

@@ -6,6 +6,7 @@ use super::history::History;
 use super::probe::Probe;
 use super::subjects::SubjectKey;
 use super::tiles::Tiles;
+use super::views::lobe3d::Lobe3dView;
 use crate::brdf::{Brdf, ParamId};
 use crate::figure::Channel;
 use crate::figure::scale::RadialScale;
@@ -144,6 +145,8 @@ pub struct Scene {
     pub sphere: SphereTile,
     /// The polar lobes.
     pub lobes: LobeTile,
+    /// The lobes in space.
+    pub lobe3d: Lobe3dView,
 }
 
 impl Default for Scene {
@@ -166,6 +169,7 @@ impl Default for Scene {
                 with_cosine: false,
                 channel: Channel::Luminance,
             },
+            lobe3d: Lobe3dView::default(),
         }
     }
 }

@@ -11,6 +11,7 @@ use super::state::{
     SphereTile, State,
 };
 use super::subjects::{self, SubjectKey, Subjects};
+use super::views::lobe3d::Lobe3dView;
 use crate::brdf::{Brdf, ParamId, Params};
 use crate::files::SourceFile;
 use crate::files::fits::MaterialFits;
@@ -67,6 +68,8 @@ pub enum Msg {
     SetSphere(SphereTile),
     /// Change the lobe tile.
     SetLobes(LobeTile),
+    /// Change the tile of lobes in space.
+    SetLobe3d(Lobe3dView),
     /// The pointer shows a pair of directions, or none.
     Hover(Option<Probe>),
     /// Keep a pair of directions marked, or let it go.
@@ -239,6 +242,7 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
         Msg::Fit(msg) => return steps::apply(state, msg),
         Msg::SetSphere(sphere) => edit(state, |scene| scene.sphere = sphere),
         Msg::SetLobes(lobes) => edit(state, |scene| scene.lobes = lobes),
+        Msg::SetLobe3d(lobe3d) => edit(state, |scene| scene.lobe3d = lobe3d),
         Msg::Hover(probe) => state.hovered = probe,
         Msg::Pin(probe) => state.pinned = probe,
         Msg::Legend { key, solo } => {

@@ -4,6 +4,7 @@
 
 pub mod drawing;
 pub mod legend;
+pub mod lobe3d;
 pub mod lobes;
 pub mod mark;
 pub mod palette;

@@ -3,6 +3,7 @@
 //! WGSL mirrors the CPU function by function; `tests/parity.rs` compares the two as numbers.
 
 pub mod adapter;
+pub mod lobe3d_pass;
 pub mod offscreen;
 pub mod shader;
 pub mod sphere_pass;

@@ -3,6 +3,8 @@
 mod controls;
 mod fits;
 mod legend;
+mod lobe3d;
+pub mod lobe3d_callback;
 mod lobes;
 mod panes;
 mod sphere;
