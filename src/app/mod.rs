@@ -121,6 +121,11 @@ impl App {
         self.state.tiles = Tiles::none();
     }
 
+    /// Puts every tile in sight at once, for the same benchmark.
+    pub fn tiles_side_by_side(&mut self) {
+        self.state.tiles = Tiles::side_by_side();
+    }
+
     /// Applies a message and starts what follows from it.
     pub fn handle(&mut self, ctx: &egui::Context, msg: Msg) {
         for task in apply(&mut self.state, msg) {

@@ -13,6 +13,7 @@ use crate::figure::scale::RadialScale;
 use crate::files::SourceFile;
 use crate::fit::Variant;
 use crate::geom::sphere::SphereView;
+use crate::geom::sphere_error::SphereError;
 use crate::measured::Table;
 use crate::measured::lookup::Lookup;
 use serde::{Deserialize, Serialize};
@@ -74,10 +75,19 @@ pub enum Show {
     Split,
     /// Two spheres.
     SideBySide,
+    /// Data and model split by a line, and beside it how far they are apart.
+    Error(SphereError),
 }
 
 /// All ways to show the sphere, in the order offered.
-pub const SHOWS: [Show; 4] = [Show::Measured, Show::Model, Show::Split, Show::SideBySide];
+pub const SHOWS: [Show; 6] = [
+    Show::Measured,
+    Show::Model,
+    Show::Split,
+    Show::SideBySide,
+    Show::Error(SphereError::Difference),
+    Show::Error(SphereError::Ratio),
+];
 
 impl Show {
     /// Name on screen.
@@ -87,6 +97,8 @@ impl Show {
             Self::Model => "Model",
             Self::Split => "Split",
             Self::SideBySide => "Side by side",
+            Self::Error(SphereError::Difference) => "Difference",
+            Self::Error(SphereError::Ratio) => "Ratio",
         }
     }
 }

@@ -1,8 +1,10 @@
 //! The lit sphere as pixels, without a graphics adapter: the twin in f64 of what `gpu/sphere.wgsl` draws.
 
 use super::subject::Source;
+use crate::geom::Rgb;
 use crate::geom::color::srgb_encode;
 use crate::geom::sphere::{HATCH, SphereView, irradiance, local_directions};
+use crate::geom::sphere_error::SphereError;
 use rayon::prelude::*;
 
 /// Bytes of a pixel: RGBA, sRGB-encoded, premultiplied; transparent outside the sphere.
@@ -12,17 +14,47 @@ pub const PIXEL: usize = 4;
 ///
 /// One sample a pixel with a soft rim. A table at 96 pixels takes about 10 ms of processor time.
 pub fn sphere_image(source: &Source, view: &SphereView, size: usize) -> Vec<u8> {
+    image_of(size, |x, y| {
+        Some(radiance_at(source, view, x, y)?.map(srgb_encode))
+    })
+}
+
+/// The same of how far a model is from a measurement, in the colours of `map` for places in [0, 1].
+pub fn error_image(
+    [measured, model]: [&Source; 2],
+    view: &SphereView,
+    error: SphereError,
+    map: impl Fn(f64) -> [u8; 3] + Sync,
+    size: usize,
+) -> Vec<u8> {
+    image_of(size, |x, y| {
+        let measured = radiance_at(measured, view, x, y)?;
+        let model = radiance_at(model, view, x, y)?;
+        let color = error.place(measured, model).map(&map);
+        Some(color.map_or_else(
+            || hatch_tone(0),
+            |color| color.map(|value| f64::from(value) / 255.0),
+        ))
+    })
+}
+
+/// A sphere whose sRGB-encoded colour at a point in units of its radius is `color`; hatched where that is `None`.
+fn image_of(size: usize, color: impl Fn(f64, f64) -> Option<Rgb> + Sync) -> Vec<u8> {
     let mut bytes = vec![0; size * size * PIXEL];
     let rows = bytes.par_chunks_mut((size * PIXEL).max(1)).enumerate();
     rows.for_each(|(y, row)| {
         for (x, pixel) in row.chunks_exact_mut(PIXEL).enumerate() {
-            pixel.copy_from_slice(&pixel_at(source, view, size, [x, y]));
+            pixel.copy_from_slice(&pixel_at(&color, size, [x, y]));
         }
     });
     bytes
 }
 
-fn pixel_at(source: &Source, view: &SphereView, size: usize, [x, y]: [usize; 2]) -> [u8; PIXEL] {
+fn pixel_at(
+    color: &impl Fn(f64, f64) -> Option<Rgb>,
+    size: usize,
+    [x, y]: [usize; 2],
+) -> [u8; PIXEL] {
     // A pixel is left free around the sphere.
     let radius_px = 0.5 * size as f64;
     let unit = |k: usize| (k as f64 + 0.5 - radius_px) / radius_px * (1.0 + 2.0 / radius_px);
@@ -34,16 +66,18 @@ fn pixel_at(source: &Source, view: &SphereView, size: usize, [x, y]: [usize; 2])
     }
     // The soft rim is shaded as the last point of the sphere.
     let inside = (0.9999 / radius.max(1e-6)).min(1.0);
-    let [r, g, b] = color_at(source, view, x_unit * inside, y_unit * inside).unwrap_or_else(|| {
-        let stripe = (x + y + 1) % 8 < 4;
-        let [r, g, b, _] = HATCH[usize::from(!stripe)].map(f64::from);
-        [r, g, b]
-    });
+    let [r, g, b] = color(x_unit * inside, y_unit * inside)
+        .unwrap_or_else(|| hatch_tone(usize::from((x + y + 1) % 8 >= 4)));
     [r, g, b, 1.0].map(|value| (255.0 * coverage * value).round() as u8)
 }
 
-/// sRGB-encoded colour at a point of the sphere; `None` where a light above the horizon has no value.
-fn color_at(source: &Source, view: &SphereView, x: f64, y: f64) -> Option<[f64; 3]> {
+fn hatch_tone(index: usize) -> Rgb {
+    let [r, g, b, _] = HATCH[index].map(f64::from);
+    [r, g, b]
+}
+
+/// What is seen at a point of the exposed sphere; `None` where a light above the horizon has no value.
+fn radiance_at(source: &Source, view: &SphereView, x: f64, y: f64) -> Option<Rgb> {
     let mut radiance = [0.0; 3];
     for light in &view.lights {
         let Some((wi, wo)) = local_directions(x, y, light) else {
@@ -58,7 +92,7 @@ fn color_at(source: &Source, view: &SphereView, x: f64, y: f64) -> Option<[f64; 
             *total += f_r[channel] * wi.z * strength[channel];
         }
     }
-    Some(radiance.map(srgb_encode))
+    Some(radiance)
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ pub mod cosines;
 pub mod directions;
 pub mod half_diff;
 pub mod sphere;
+pub mod sphere_error;
 
 pub use cosines::{Cosine, Cosines};
 pub use directions::{direction, mirror};

@@ -39,8 +39,10 @@ fn fragment_solid(in: Solid, @builtin(front_facing) outside: bool) -> @location(
     let normal = in.normal / max(across, 1e-6) * select(-1.0, 1.0, outside);
     let lit = 0.5 + 0.5 * dot(normal, LIGHT);
     // The inside, seen through a gap, is in the shade.
-    let shade = select(0.35, 0.45 + 0.6 * lit * lit, outside);
-    return vec4f(min(in.color.rgb * shade, vec3f(1.0)), 1.0);
+    let shade = select(0.35, 0.28 + 0.72 * lit * lit, outside);
+    // A little towards white where the light falls straight on it.
+    let gleam = select(0.0, 0.25 * pow(lit, 8.0), outside);
+    return vec4f(mix(in.color.rgb * shade, vec3f(1.0), gleam), 1.0);
 }
 
 @vertex

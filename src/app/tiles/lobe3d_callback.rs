@@ -123,6 +123,7 @@ fn scene(lobes: &Lobes, wo: Option<DVec3>, palette: &Palette) -> SpaceScene {
         };
         let color = palette.resolve(Ink::from(Role::Series(lobe.subject.series)));
         if !lobe.is_solid() {
+            let color = wire_color(color, palette.color(Role::Foreground));
             for points in mesh.wire() {
                 add_line(&mut scene, &points, WIRE, WIRE_BEHIND, color);
             }
@@ -141,6 +142,14 @@ fn scene(lobes: &Lobes, wo: Option<DVec3>, palette: &Palette) -> SpaceScene {
         scene.triangles.extend(corners.map(|index| first + index));
     }
     scene
+}
+
+/// A model has the colour of its material: on the solid it is seen by being nearer to the colour of text.
+fn wire_color(series: [u8; 4], text: [u8; 3]) -> [u8; 4] {
+    let [r, g, b, opacity] = series;
+    let mixed = [(r, text[0]), (g, text[1]), (b, text[2])]
+        .map(|(own, text)| (u16::from(own) + u16::from(text)).div_ceil(2) as u8);
+    [mixed[0], mixed[1], mixed[2], opacity]
 }
 
 fn add_line(scene: &mut SpaceScene, points: &[DVec3], width: f32, behind: f32, color: [u8; 4]) {

@@ -9,6 +9,7 @@ mod lobes;
 mod panes;
 mod sphere;
 pub mod sphere_callback;
+mod sphere_error;
 
 pub use panes::{PANES, Pane};
 

@@ -50,7 +50,7 @@ impl Projection {
         Self {
             camera,
             middle: [0.5 * (min[0] + max[0]), 0.5 * (min[1] + max[1])],
-            scale: camera.zoom * (width / 2.7).min(height / 2.0).max(1.0),
+            scale: camera.zoom * (width / 2.6).min(height / 1.85).max(1.0),
         }
     }
 

@@ -178,9 +178,11 @@ fn values(sheet: &mut Sheet, lobes: &Lobes, projection: &Projection) {
 /// Angles of the circles of the surface, on whichever side of the plane of incidence is nearer to the eye.
 fn circles(sheet: &mut Sheet, projection: &Projection) {
     let towards_eye = projection.view(DVec3::Y).z.signum();
-    for degrees in CIRCLES_DEG {
+    // One beside the other, as the outer circles are close together.
+    for (degrees, aside) in CIRCLES_DEG.into_iter().zip([0.0, 0.0, 0.55]) {
         let theta = degrees.to_radians();
-        let on_surface = direction(theta, towards_eye * std::f64::consts::FRAC_PI_2).with_z(0.0);
+        let azimuth = towards_eye * (std::f64::consts::FRAC_PI_2 + aside);
+        let on_surface = direction(theta, azimuth).with_z(0.0);
         let pos = projection.point(on_surface);
         let mut label = sheet.label(
             RichText::literal(&format!("{degrees:.0}°")),
