@@ -6,13 +6,15 @@ use super::history::History;
 use super::probe::Probe;
 use super::subjects::SubjectKey;
 use super::tiles::Tiles;
+use super::views::lobe3d::Lobe3dView;
 use super::views::{AlbedoView, SlicesView};
 use crate::brdf::{Brdf, ParamId};
 use crate::figure::Channel;
 use crate::figure::scale::RadialScale;
 use crate::files::SourceFile;
 use crate::fit::Variant;
-use crate::gpu::sphere::SphereView;
+use crate::geom::sphere::SphereView;
+use crate::geom::sphere_error::SphereError;
 use crate::measured::Table;
 use crate::measured::lookup::Lookup;
 use serde::{Deserialize, Serialize};
@@ -74,10 +76,19 @@ pub enum Show {
     Split,
     /// Two spheres.
     SideBySide,
+    /// Data and model split by a line, and beside it how far they are apart.
+    Error(SphereError),
 }
 
 /// All ways to show the sphere, in the order offered.
-pub const SHOWS: [Show; 4] = [Show::Measured, Show::Model, Show::Split, Show::SideBySide];
+pub const SHOWS: [Show; 6] = [
+    Show::Measured,
+    Show::Model,
+    Show::Split,
+    Show::SideBySide,
+    Show::Error(SphereError::Difference),
+    Show::Error(SphereError::Ratio),
+];
 
 impl Show {
     /// Name on screen.
@@ -87,6 +98,8 @@ impl Show {
             Self::Model => "Model",
             Self::Split => "Split",
             Self::SideBySide => "Side by side",
+            Self::Error(SphereError::Difference) => "Difference",
+            Self::Error(SphereError::Ratio) => "Ratio",
         }
     }
 }
@@ -149,6 +162,8 @@ pub struct Scene {
     pub slices: SlicesView,
     /// The albedo.
     pub albedo: AlbedoView,
+    /// The lobes in space.
+    pub lobe3d: Lobe3dView,
 }
 
 impl Default for Scene {
@@ -173,6 +188,7 @@ impl Default for Scene {
             },
             slices: SlicesView::default(),
             albedo: AlbedoView::default(),
+            lobe3d: Lobe3dView::default(),
         }
     }
 }

@@ -11,6 +11,7 @@ use super::state::{
     SphereTile, State,
 };
 use super::subjects::{self, SubjectKey, Subjects};
+use super::views::lobe3d::Lobe3dView;
 use super::views::{AlbedoView, SlicesView};
 use crate::brdf::{Brdf, ParamId, Params};
 use crate::files::SourceFile;
@@ -72,6 +73,8 @@ pub enum Msg {
     SetSlices(SlicesView),
     /// Change the albedo plot.
     SetAlbedo(AlbedoView),
+    /// Change the tile of lobes in space.
+    SetLobe3d(Lobe3dView),
     /// The pointer shows a pair of directions, or none.
     Hover(Option<Probe>),
     /// Keep a pair of directions marked, or let it go.
@@ -246,6 +249,7 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
         Msg::SetLobes(lobes) => edit(state, |scene| scene.lobes = lobes),
         Msg::SetSlices(slices) => edit(state, |scene| scene.slices = slices),
         Msg::SetAlbedo(albedo) => edit(state, |scene| scene.albedo = albedo),
+        Msg::SetLobe3d(lobe3d) => edit(state, |scene| scene.lobe3d = lobe3d),
         Msg::Hover(probe) => state.hovered = probe,
         Msg::Pin(probe) => state.pinned = probe,
         Msg::Legend { key, solo } => {

@@ -1,6 +1,6 @@
 //! The kinds of tiles, as rows: name, help, and what draws them.
 
-use super::{albedo, fits, lobes, slices, sphere};
+use super::{albedo, fits, lobe3d, lobes, slices, sphere};
 use crate::app::state::State;
 use crate::app::update::Msg;
 use serde::{Deserialize, Serialize};
@@ -14,6 +14,7 @@ pub enum Pane {
     Lobes,
     Slices,
     Albedo,
+    Lobe3d,
 }
 
 /// Which half of the default layout a tile is in.
@@ -42,7 +43,7 @@ pub struct Row {
 }
 
 /// All kinds of tiles in the order of their tabs.
-pub const PANES: [Row; 5] = [
+pub const PANES: &[Row] = &[
     Row {
         pane: Pane::Sphere,
         key: "sphere",
@@ -105,6 +106,18 @@ pub const PANES: [Row; 5] = [
         ],
         home: Home::Lower,
         ui: albedo::albedo_ui,
+    },
+    Row {
+        pane: Pane::Lobe3d,
+        key: "lobe3d",
+        name: "3D lobe",
+        help: [
+            "f_r over all view directions for one angle of incidence: data as a solid, models as wire.",
+            "Drag to turn it, wheel to zoom, double click puts the view back.",
+            "The light is that of the probe. Point at the lobe to read values, click to pin.",
+        ],
+        home: Home::Lower,
+        ui: lobe3d::lobe3d_ui,
     },
 ];
 

@@ -5,3 +5,4 @@ pub mod slices;
 
 pub use albedo::AlbedoView;
 pub use slices::SlicesView;
+pub mod lobe3d;
