@@ -2,7 +2,9 @@
 //!
 //! A new figure is a file that builds a `Drawing`; a new format is a file that walks one.
 
+pub mod colormap;
 pub mod drawing;
+pub mod heatmap;
 pub mod legend;
 pub mod lobes;
 pub mod mark;
