@@ -1,6 +1,7 @@
 //! The window: egui over the state. Panels read the state and push messages; [`update::apply`] changes it.
 
 pub mod command;
+pub mod derived;
 pub mod fitting;
 mod formula;
 mod history;
@@ -16,6 +17,7 @@ pub mod subjects;
 mod tasks;
 pub mod tiles;
 pub mod update;
+pub mod views;
 
 pub use startup::run;
 pub use tasks::Picker;

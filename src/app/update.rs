@@ -1,6 +1,7 @@
 //! The one place where the state changes: `apply(state, message) → tasks`.
 
 use super::command::Command;
+use super::derived::{self, DerivedMsg, Work};
 use super::fitting::{FitMsg, FitTask, Resolve, steps};
 use super::open_fits;
 use super::probe::Probe;
@@ -58,6 +59,8 @@ pub enum Msg {
     ResetParam(ParamId),
     /// Let the channels of a colour move as one, or apart.
     SetGrey(ParamId, bool),
+    /// A view wishes for a result, or a job says something about one.
+    Derived(Box<dyn DerivedMsg>),
     /// Something about fitting.
     Fit(FitMsg),
     /// Change the sphere tile.
@@ -133,6 +136,8 @@ pub enum Task {
     Fit(FitTask),
     /// Find the best ρ_d and k_s in the background.
     Resolve(Resolve),
+    /// Make what a view wishes for.
+    Derive(Work),
     /// Ask for files to open.
     PickFiles,
     /// Ask where to, and write a picture of the window.
@@ -230,6 +235,7 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
                 edit_brdf(state, |brdf| make_grey(&mut brdf.params, id));
             }
         }
+        Msg::Derived(msg) => return derived::apply(state, msg),
         Msg::Fit(msg) => return steps::apply(state, msg),
         Msg::SetSphere(sphere) => edit(state, |scene| scene.sphere = sphere),
         Msg::SetLobes(lobes) => edit(state, |scene| scene.lobes = lobes),
