@@ -6,6 +6,9 @@ use super::history::History;
 use super::probe::Probe;
 use super::subjects::SubjectKey;
 use super::tiles::Tiles;
+use super::views::error_map::ErrorMapView;
+use super::views::image::ImageView;
+use super::views::landscape::LandscapeView;
 use crate::brdf::{Brdf, ParamId};
 use crate::figure::Channel;
 use crate::figure::scale::RadialScale;
@@ -144,6 +147,12 @@ pub struct Scene {
     pub sphere: SphereTile,
     /// The polar lobes.
     pub lobes: LobeTile,
+    /// The image slice.
+    pub image: ImageView,
+    /// The error map.
+    pub error_map: ErrorMapView,
+    /// The error landscape.
+    pub landscape: LandscapeView,
 }
 
 impl Default for Scene {
@@ -166,6 +175,9 @@ impl Default for Scene {
                 with_cosine: false,
                 channel: Channel::Luminance,
             },
+            image: ImageView::default(),
+            error_map: ErrorMapView::default(),
+            landscape: LandscapeView::default(),
         }
     }
 }

@@ -1,7 +1,11 @@
 //! The movable tiles in the middle: a row per view, and where they are.
 
 mod controls;
+mod error_map;
 mod fits;
+mod heat;
+mod image;
+mod landscape;
 mod legend;
 mod lobes;
 mod panes;

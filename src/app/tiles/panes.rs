@@ -1,6 +1,6 @@
 //! The kinds of tiles, as rows: name, help, and what draws them.
 
-use super::{fits, lobes, sphere};
+use super::{error_map, fits, image, landscape, lobes, sphere};
 use crate::app::state::State;
 use crate::app::update::Msg;
 use serde::{Deserialize, Serialize};
@@ -11,7 +11,10 @@ use serde::{Deserialize, Serialize};
 pub enum Pane {
     Sphere,
     Fits,
+    Landscape,
     Lobes,
+    Image,
+    ErrorMap,
 }
 
 /// Which half of the default layout a tile is in.
@@ -40,7 +43,7 @@ pub struct Row {
 }
 
 /// All kinds of tiles in the order of their tabs.
-pub const PANES: [Row; 3] = [
+pub const PANES: [Row; 6] = [
     Row {
         pane: Pane::Sphere,
         key: "sphere",
@@ -69,6 +72,18 @@ pub const PANES: [Row; 3] = [
         },
     },
     Row {
+        pane: Pane::Landscape,
+        key: "landscape",
+        name: "Error landscape",
+        help: [
+            "The least E that the combined model has at each s and α, with ρd and ks solved there; below is Phong, above Blinn-Phong.",
+            "Line: the way of the last fit from its ring. Dot: the sliders. Diamond: the best. E is estimated on some of the cells.",
+            "A click takes what is under the pointer. Drag moves, the wheel zooms, double click shows all.",
+        ],
+        home: Home::Upper,
+        ui: landscape::landscape_ui,
+    },
+    Row {
         pane: Pane::Lobes,
         key: "lobes",
         name: "Polar lobes",
@@ -79,6 +94,30 @@ pub const PANES: [Row; 3] = [
         ],
         home: Home::Lower,
         ui: lobes::lobes_ui,
+    },
+    Row {
+        pane: Pane::Image,
+        key: "image",
+        name: "Image slice",
+        help: [
+            "f_r over half and difference angle at one φd, cell by cell: data, model, residual or ratio.",
+            "Hatched was not measured, blank is below the horizon; past the dashed line light or view is beyond 80°.",
+            "Point to read values, click to pin. Drag moves, the wheel zooms, double click shows all.",
+        ],
+        home: Home::Lower,
+        ui: image::image_ui,
+    },
+    Row {
+        pane: Pane::ErrorMap,
+        key: "error-map",
+        name: "Error map",
+        help: [
+            "Where the E of the model comes from: its share in each direction, with the weight and limit of the fit.",
+            "The shares add up to all of E. Swapped light and view are the same, so each counts half.",
+            "Point to read shares, click to pin. Drag moves, the wheel zooms, double click shows all.",
+        ],
+        home: Home::Lower,
+        ui: error_map::error_map_ui,
     },
 ];
 

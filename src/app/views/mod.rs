@@ -1,1 +1,6 @@
 //! What the tiles are set to show, as plain data: a file per view, a field of the scene each.
+
+pub mod background;
+pub mod error_map;
+pub mod image;
+pub mod landscape;

@@ -67,6 +67,9 @@ fn samples(
     share: impl Fn(f64) -> f64,
 ) -> Vec<Option<usize>> {
     let count = edges.len().saturating_sub(1);
+    if count == 0 {
+        return Vec::new();
+    }
     let shares: Vec<f64> = edges.iter().map(|edge| share(*edge)).collect();
     let even = |k: usize| (shares[k] - k as f64 / count as f64).abs() < 1e-6;
     if (from, to) == (0.0, 1.0) && (0..=count).all(even) {
