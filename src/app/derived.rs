@@ -8,6 +8,8 @@ use super::jobs::Outbox;
 use super::state::{CancelFlag, State};
 use super::update::{Msg, Task};
 use super::views::albedo::{MeasuredAlbedo, ModelAlbedo};
+use super::views::error_map::ErrorWish;
+use super::views::landscape::LandscapeWish;
 use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -19,6 +21,10 @@ pub struct Derived {
     pub measured_albedo: Slot<MeasuredAlbedo>,
     /// Albedos of models.
     pub model_albedo: Slot<ModelAlbedo>,
+    /// Where the error of the shown model comes from.
+    pub error_map: Slot<ErrorWish>,
+    /// The best error over (s, α).
+    pub landscape: Slot<LandscapeWish>,
 }
 
 /// A result that takes long, by what it is made from.

@@ -6,6 +6,9 @@ use super::history::History;
 use super::probe::Probe;
 use super::subjects::SubjectKey;
 use super::tiles::Tiles;
+use super::views::error_map::ErrorMapView;
+use super::views::image::ImageView;
+use super::views::landscape::LandscapeView;
 use super::views::lobe3d::Lobe3dView;
 use super::views::{AlbedoView, SlicesView};
 use crate::brdf::{Brdf, ParamId};
@@ -164,6 +167,12 @@ pub struct Scene {
     pub albedo: AlbedoView,
     /// The lobes in space.
     pub lobe3d: Lobe3dView,
+    /// The image slice.
+    pub image: ImageView,
+    /// The error map.
+    pub error_map: ErrorMapView,
+    /// The error landscape.
+    pub landscape: LandscapeView,
 }
 
 impl Default for Scene {
@@ -189,6 +198,9 @@ impl Default for Scene {
             slices: SlicesView::default(),
             albedo: AlbedoView::default(),
             lobe3d: Lobe3dView::default(),
+            image: ImageView::default(),
+            error_map: ErrorMapView::default(),
+            landscape: LandscapeView::default(),
         }
     }
 }

@@ -2,7 +2,11 @@
 
 mod albedo;
 mod controls;
+mod error_map;
 mod fits;
+mod heat;
+mod image;
+mod landscape;
 mod legend;
 mod lobe3d;
 pub mod lobe3d_callback;

@@ -5,4 +5,8 @@ pub mod slices;
 
 pub use albedo::AlbedoView;
 pub use slices::SlicesView;
+pub mod background;
+pub mod error_map;
+pub mod image;
+pub mod landscape;
 pub mod lobe3d;
