@@ -5,6 +5,7 @@
 pub mod grid;
 pub mod lookup;
 pub mod merl;
+mod overview;
 pub mod samples;
 pub mod stats;
 pub mod table;
