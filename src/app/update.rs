@@ -2,11 +2,12 @@
 
 use super::command::Command;
 use super::fitting::{FitMsg, FitTask, Resolve, steps};
+use super::library::{self, LibraryMsg, LibraryTask, Presence};
 use super::open_fits;
 use super::probe::Probe;
 use super::run_command;
 use super::state::{
-    CancelFlag, Job, Level, LobeTile, Material, MaterialId, Notice, Opened, Origin, Scene,
+    CancelFlag, Job, Level, LobeTile, Material, MaterialId, Notice, Opened, Origin, Purpose, Scene,
     SphereTile, State,
 };
 use super::subjects::{self, SubjectKey, Subjects};
@@ -60,6 +61,8 @@ pub enum Msg {
     SetGrey(ParamId, bool),
     /// Something about fitting.
     Fit(FitMsg),
+    /// Something about the folder and memory.
+    Library(LibraryMsg),
     /// Change the sphere tile.
     SetSphere(SphereTile),
     /// Change the lobe tile.
@@ -133,6 +136,8 @@ pub enum Task {
     Fit(FitTask),
     /// Find the best ρ_d and k_s in the background.
     Resolve(Resolve),
+    /// Look at a folder, fit it, or ask for one.
+    Library(LibraryTask),
     /// Ask for files to open.
     PickFiles,
     /// Ask where to, and write a picture of the window.
@@ -143,8 +148,14 @@ pub enum Task {
     Quit,
 }
 
-/// Changes the state.
+/// Changes the state. Whatever happened, what is shown stays in memory and the rest within its limit.
 pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
+    let mut tasks = change(state, msg);
+    tasks.extend(library::memory::keep(state));
+    tasks
+}
+
+fn change(state: &mut State, msg: Msg) -> Vec<Task> {
     match msg {
         Msg::Run(command) => return run_command::run(state, command),
         Msg::OpenFiles(paths) => {
@@ -163,12 +174,7 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
             origin,
             result,
         } => {
-            state.jobs.retain(|other| other.id != job);
-            match result {
-                Ok(loaded) => add_material(state, origin, loaded),
-                Err(Some(reason)) => notify(state, Level::Error, reason),
-                Err(None) => {}
-            }
+            library::show::loaded(state, job, origin, result);
         }
         Msg::FitsRead { job, path, fits } => {
             state.jobs.retain(|other| other.id != job);
@@ -179,11 +185,7 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
                 job.cancel.set();
             }
         }
-        Msg::Select(index) => edit(state, |scene| {
-            if index < scene.opened.len() {
-                scene.selected = index;
-            }
-        }),
+        Msg::Select(index) => return library::show::select(state, index),
         Msg::Close(index) => {
             if let Some(opened) = state.scene.opened.get(index) {
                 steps::forget(state, opened.id);
@@ -231,6 +233,7 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
             }
         }
         Msg::Fit(msg) => return steps::apply(state, msg),
+        Msg::Library(msg) => return library::steps::apply(state, msg),
         Msg::SetSphere(sphere) => edit(state, |scene| scene.sphere = sphere),
         Msg::SetLobes(lobes) => edit(state, |scene| scene.lobes = lobes),
         Msg::Hover(probe) => state.hovered = probe,
@@ -288,10 +291,7 @@ pub(super) fn load_with(
     let job = state.fresh_id();
     let cancel = CancelFlag::default();
     let label = match &origin {
-        Origin::File(path) => path.file_name().map_or_else(
-            || path.display().to_string(),
-            |name| name.display().to_string(),
-        ),
+        Origin::File(path) => crate::files::folder::shown_name(path),
         Origin::Sample(index) => SAMPLES[*index].name.to_string(),
     };
     state.jobs.push(Job {
@@ -299,6 +299,7 @@ pub(super) fn load_with(
         label,
         progress: 0.0,
         cancel: cancel.clone(),
+        purpose: Purpose::Open,
     });
     Task::Load {
         job,
@@ -313,6 +314,16 @@ pub(super) fn add_material(state: &mut State, origin: Origin, loaded: Loaded) {
     if let (Origin::File(path), None) = (&origin, &loaded.fits) {
         state.prefs.remember(path.clone());
     }
+    add_material_at(state, origin, loaded, None);
+}
+
+/// Opens a material, in the place of another one where `replaced` names it. Returns which it is.
+pub(super) fn add_material_at(
+    state: &mut State,
+    origin: Origin,
+    loaded: Loaded,
+    replaced: Option<MaterialId>,
+) -> MaterialId {
     let brdf = loaded.brdf();
     let id = MaterialId(state.fresh_id());
     state.materials.insert(
@@ -322,6 +333,8 @@ pub(super) fn add_material(state: &mut State, origin: Origin, loaded: Loaded) {
             origin,
             source: loaded.source,
             table: loaded.table,
+            presence: Presence::Here,
+            last_shown: 0,
             guess: loaded.guess,
             fits: Vec::new(),
         },
@@ -335,19 +348,29 @@ pub(super) fn add_material(state: &mut State, origin: Origin, loaded: Loaded) {
         beside: false,
     };
     let add = |scene: &mut Scene| {
-        scene.opened.push(opened);
-        scene.selected = scene.opened.len() - 1;
+        let place = |other: &Opened| Some(other.id) == replaced;
+        scene.selected = match scene.opened.iter().position(place) {
+            Some(index) => {
+                scene.opened[index] = opened;
+                index
+            }
+            None => {
+                scene.opened.push(opened);
+                scene.opened.len() - 1
+            }
+        };
     };
     if state.scene.opened.is_empty() && !state.history.can_undo() {
         // The first material is where the story begins, not a step of it.
         add(&mut state.scene);
-        return;
+        return id;
     }
     // A drag may be under way: opening is a step of its own.
     state.history.settle(&state.scene);
     edit(state, add);
     state.history.settle(&state.scene);
     forget_unreachable(state);
+    id
 }
 
 /// Drops the data that neither the scene nor any step of its history shows.
