@@ -115,8 +115,7 @@ fn search_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
 }
 
 fn sort_ui(ui: &mut egui::Ui, sort: Sort, out: &mut Vec<Msg>) {
-    let arrow = if sort.descending { "⬇" } else { "⬆" };
-    let menu = ui.menu_button(arrow, |ui| {
+    let menu = ui.menu_button("Sort", |ui| {
         for (key, name) in SORT_KEYS {
             if ui.selectable_label(sort.key == key, name).clicked() {
                 out.push(Msg::Library(LibraryMsg::Sort(Sort { key, ..sort })));
@@ -138,8 +137,13 @@ fn sort_ui(ui: &mut egui::Ui, sort: Sort, out: &mut Vec<Msg>) {
         .map_or("", |(_, name)| name);
     menu.response
         .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, "Order of the folder"));
+    let direction = if sort.descending {
+        "descending"
+    } else {
+        "ascending"
+    };
     menu.response
-        .on_hover_text(format!("Order of the files. Now: {name}"));
+        .on_hover_text(format!("Order of the files: {name}, {direction}"));
 }
 
 /// The fit of the folder under way, or how far its files have been looked at.
