@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::window::{Window, click, press, run, set_slider, settle};
+use common::window::{Window, click, drag, press, run, set_slider, settle};
 use common::{skip_gpu, write_merl};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
@@ -11,9 +11,13 @@ use grazing::app::command::Command;
 use grazing::app::fitting::{FitMsg, Settings};
 use grazing::app::library::{Kind, LibraryMsg, Presence, Scan, Sort, SortKey, memory};
 use grazing::app::state::State;
+use grazing::app::tiles::Pane;
 use grazing::app::update::Msg;
-use grazing::brdf::Fresnel;
-use grazing::files::fits::write_json;
+use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
+use grazing::figure::palette::Role as ColorRole;
+use grazing::figure::scatter::{ScatterDot, ScatterPlot};
+use grazing::files::fits::{FitRecord, SourceFile, write_json};
+use grazing::fit::{Ended, Errors, Options, Weight};
 use std::fs;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
@@ -363,7 +367,7 @@ fn the_folder_is_fitted_in_the_background() {
             .map(|run| run.total)
     };
     assert_eq!(total(&window), Some(3 - done));
-    assert_eq!(Command::FitFolder.is_enabled(window.state().state()), false);
+    assert!(!Command::FitFolder.is_enabled(window.state().state()));
     settle(&mut window, |state| state.library.run.is_none());
     let state = window.state().state();
     assert_eq!(fitted(&window), 3);
@@ -465,4 +469,71 @@ fn a_folder_that_is_not_there_is_one_line() {
         assert!(notice.text.contains("no such file"), "{}", notice.text);
         assert_eq!(notice.text.lines().count(), 1);
     }
+}
+
+#[test]
+fn fitted_materials_are_dots_that_show_them() {
+    if skip_gpu() {
+        return;
+    }
+    let folder = folder(&["a.binary", "b.binary"]);
+    let path = |name: &str| folder.path().join(name);
+    // As a fit would leave them, which would take longer.
+    let fit = |name: &str, s: f64, alpha: f64| {
+        let brdf = Brdf {
+            model: MODELS[2],
+            fresnel: Fresnel::Exact,
+            params: Params {
+                s,
+                alpha,
+                ..Params::default()
+            },
+        };
+        FitRecord {
+            material: name.into(),
+            source: Some(SourceFile {
+                path: path(name).display().to_string(),
+                bytes: None,
+                sha256: None,
+            }),
+            version: "0".into(),
+            weight: Weight::Cosine,
+            limit_deg: 90.0,
+            options: Options::default(),
+            brdf,
+            errors: Errors {
+                total: 0.1,
+                grazing: None,
+                channels: [0.1; 3],
+            },
+            stages: Vec::new(),
+            albedo: [[0.5; 3]; 3],
+            evaluations: 1,
+            ended: Ended::Converged,
+            concerns: Vec::new(),
+        }
+    };
+    let fits = [fit("a.binary", 20.0, 0.1), fit("b.binary", 700.0, 0.9)];
+    let mut bytes = Vec::new();
+    write_json(&fits, &mut bytes).expect("memory takes it");
+    fs::write(path("fits.json"), bytes).expect("written");
+    let mut window = window(folder.path());
+    assert_eq!(name(&window), "a");
+    // It is open behind the sphere: closed and opened again, it is in front.
+    run(&mut window, Command::ToggleTile(Pane::Scatter));
+    run(&mut window, Command::ToggleTile(Pane::Scatter));
+    let rect = window.get_by_role_and_label(Role::Image, "Scatter").rect();
+    let dot = |fit: &FitRecord| ScatterDot {
+        name: fit.material.clone(),
+        s: fit.brdf.params.s,
+        alpha: fit.brdf.params.alpha,
+        fill: ColorRole::Muted,
+        rim: ColorRole::Muted,
+        shown: false,
+    };
+    let plot = ScatterPlot::new(&fits.each_ref().map(dot), [rect.width(), rect.height()]);
+    let at = rect.min + egui::Vec2::from(plot.places[1]);
+    drag(&mut window, &[at, at]);
+    settle(&mut window, is_quiet);
+    assert_eq!(name(&window), "b");
 }

@@ -1,12 +1,14 @@
 //! The window: egui over the state. Panels read the state and push messages; [`update::apply`] changes it.
 
 pub mod command;
+pub mod derived;
 pub mod fitting;
 mod formula;
 mod history;
 mod jobs;
 pub mod library;
 mod open_fits;
+mod opening;
 pub mod paint;
 mod panels;
 pub mod probe;
@@ -17,6 +19,7 @@ pub mod subjects;
 mod tasks;
 pub mod tiles;
 pub mod update;
+pub mod views;
 
 pub use startup::run;
 pub use tasks::Picker;

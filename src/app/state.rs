@@ -1,5 +1,6 @@
 //! Everything the window shows, as plain data. It changes in [`super::update::apply`] only.
 
+use super::derived::Derived;
 use super::fitting::{FitState, KeptFit};
 use super::history::History;
 use super::library::{Library, Presence};
@@ -327,6 +328,8 @@ pub struct State {
     pub materials: BTreeMap<MaterialId, Material>,
     /// The tiles and where they are.
     pub tiles: Tiles,
+    /// What views show and cannot compute within a frame.
+    pub derived: Derived,
     /// Fits asked for and under way.
     pub fit: FitState,
     /// The open folder, and what is in memory.

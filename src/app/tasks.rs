@@ -89,6 +89,10 @@ pub fn start(
         Task::Fit(task) => fitter.fit(task),
         Task::Resolve(resolve) => fitter.resolve(resolve),
         Task::Library(task) => library::start(task, outbox, picker),
+        Task::Derive(work) => {
+            let outbox = outbox.clone();
+            in_thread(&outbox.clone(), "view", move || work.run(&outbox));
+        }
         Task::PickFiles => {
             let (outbox, open) = (outbox.clone(), Arc::clone(&picker.open));
             in_thread(&outbox.clone(), "open dialog", move || {

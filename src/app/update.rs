@@ -1,15 +1,15 @@
 //! The one place where the state changes: `apply(state, message) → tasks`.
 
 use super::command::Command;
+use super::derived::{self, DerivedMsg, Work};
 use super::fitting::{FitMsg, FitTask, Resolve, steps};
-use super::library::{self, LibraryMsg, LibraryTask, Presence};
+use super::library::{self, LibraryMsg, LibraryTask};
 use super::open_fits;
+use super::opening::forget_unreachable;
+pub(super) use super::opening::{add_material, add_material_at, load, load_with};
 use super::probe::Probe;
 use super::run_command;
-use super::state::{
-    CancelFlag, Job, Level, LobeTile, Material, MaterialId, Notice, Opened, Origin, Purpose, Scene,
-    SphereTile, State,
-};
+use super::state::{CancelFlag, Level, LobeTile, Notice, Origin, Scene, SphereTile, State};
 use super::subjects::{self, SubjectKey, Subjects};
 use crate::brdf::{Brdf, ParamId, Params};
 use crate::files::SourceFile;
@@ -17,7 +17,6 @@ use crate::files::fits::MaterialFits;
 use crate::fit::start;
 use crate::geom::color::luminance;
 use crate::measured::Table;
-use crate::measured::samples::SAMPLES;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -59,6 +58,8 @@ pub enum Msg {
     ResetParam(ParamId),
     /// Let the channels of a colour move as one, or apart.
     SetGrey(ParamId, bool),
+    /// A view wishes for a result, or a job says something about one.
+    Derived(Box<dyn DerivedMsg>),
     /// Something about fitting.
     Fit(FitMsg),
     /// Something about the folder and memory.
@@ -116,7 +117,7 @@ impl Loaded {
     }
 
     /// The model to begin with.
-    fn brdf(&self) -> Brdf {
+    pub(super) fn brdf(&self) -> Brdf {
         self.fits.as_ref().map_or(self.guess, |fits| fits.best)
     }
 }
@@ -138,6 +139,8 @@ pub enum Task {
     Resolve(Resolve),
     /// Look at a folder, fit it, or ask for one.
     Library(LibraryTask),
+    /// Make what a view wishes for.
+    Derive(Work),
     /// Ask for files to open.
     PickFiles,
     /// Ask where to, and write a picture of the window.
@@ -232,6 +235,7 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
                 edit_brdf(state, |brdf| make_grey(&mut brdf.params, id));
             }
         }
+        Msg::Derived(msg) => return derived::apply(state, msg),
         Msg::Fit(msg) => return steps::apply(state, msg),
         Msg::Library(msg) => return library::steps::apply(state, msg),
         Msg::SetSphere(sphere) => edit(state, |scene| scene.sphere = sphere),
@@ -276,117 +280,6 @@ pub(super) fn edit_brdf(state: &mut State, change: impl FnOnce(&mut Brdf)) {
             change(&mut opened.brdf);
         }
     });
-}
-
-pub(super) fn load(state: &mut State, origin: Origin) -> Task {
-    load_with(state, origin, None)
-}
-
-/// Loads a material that a fit file has models for.
-pub(super) fn load_with(
-    state: &mut State,
-    origin: Origin,
-    fits: Option<Box<MaterialFits>>,
-) -> Task {
-    let job = state.fresh_id();
-    let cancel = CancelFlag::default();
-    let label = match &origin {
-        Origin::File(path) => crate::files::folder::shown_name(path),
-        Origin::Sample(index) => SAMPLES[*index].name.to_string(),
-    };
-    state.jobs.push(Job {
-        id: job,
-        label,
-        progress: 0.0,
-        cancel: cancel.clone(),
-        purpose: Purpose::Open,
-    });
-    Task::Load {
-        job,
-        origin,
-        fits,
-        cancel,
-    }
-}
-
-pub(super) fn add_material(state: &mut State, origin: Origin, loaded: Loaded) {
-    // What comes with a fit file is found again through that.
-    if let (Origin::File(path), None) = (&origin, &loaded.fits) {
-        state.prefs.remember(path.clone());
-    }
-    add_material_at(state, origin, loaded, None);
-}
-
-/// Opens a material, in the place of another one where `replaced` names it. Returns which it is.
-pub(super) fn add_material_at(
-    state: &mut State,
-    origin: Origin,
-    loaded: Loaded,
-    replaced: Option<MaterialId>,
-) -> MaterialId {
-    let brdf = loaded.brdf();
-    let id = MaterialId(state.fresh_id());
-    state.materials.insert(
-        id,
-        Material {
-            name: loaded.name,
-            origin,
-            source: loaded.source,
-            table: loaded.table,
-            presence: Presence::Here,
-            last_shown: 0,
-            guess: loaded.guess,
-            fits: Vec::new(),
-        },
-    );
-    if let Some(fits) = &loaded.fits {
-        open_fits::arrived(state, id, fits);
-    }
-    let opened = Opened {
-        id,
-        brdf,
-        beside: false,
-    };
-    let add = |scene: &mut Scene| {
-        let place = |other: &Opened| Some(other.id) == replaced;
-        scene.selected = match scene.opened.iter().position(place) {
-            Some(index) => {
-                scene.opened[index] = opened;
-                index
-            }
-            None => {
-                scene.opened.push(opened);
-                scene.opened.len() - 1
-            }
-        };
-    };
-    if state.scene.opened.is_empty() && !state.history.can_undo() {
-        // The first material is where the story begins, not a step of it.
-        add(&mut state.scene);
-        return id;
-    }
-    // A drag may be under way: opening is a step of its own.
-    state.history.settle(&state.scene);
-    edit(state, add);
-    state.history.settle(&state.scene);
-    forget_unreachable(state);
-    id
-}
-
-/// Drops the data that neither the scene nor any step of its history shows.
-fn forget_unreachable(state: &mut State) {
-    let State {
-        materials,
-        history,
-        scene,
-        ..
-    } = state;
-    let reachable: std::collections::BTreeSet<MaterialId> = history
-        .states()
-        .chain([&*scene])
-        .flat_map(|scene| scene.opened.iter().map(|opened| opened.id))
-        .collect();
-    materials.retain(|id, _| reachable.contains(id));
 }
 
 pub(super) fn notify(state: &mut State, level: Level, text: String) {

@@ -9,6 +9,7 @@ pub mod mark;
 pub mod palette;
 mod placing;
 pub mod scale;
+pub mod scatter;
 pub mod subject;
 pub mod text;
 pub mod trace;

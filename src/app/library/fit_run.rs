@@ -92,14 +92,14 @@ pub(in crate::app) fn start(state: &mut State, six: bool) -> Vec<Task> {
         hold: Hold::default(),
         cancel: CancelFlag::default(),
     };
-    let task = LibraryTask::Fit(FolderFit {
+    let task = LibraryTask::Fit(Box::new(FolderFit {
         number: run.number,
         files,
         variants,
         setup,
         cancel: run.cancel.clone(),
         hold: run.hold.clone(),
-    });
+    }));
     state.library.run = Some(run);
     vec![Task::Library(task)]
 }

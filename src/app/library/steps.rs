@@ -6,12 +6,12 @@ use crate::app::update::{Task, notify};
 use crate::files::fits::MaterialFits;
 use crate::files::{self, folder::Content, folder::shown_name};
 use crate::fit::Variant;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Changes the state.
 pub(in crate::app) fn apply(state: &mut State, msg: LibraryMsg) -> Vec<Task> {
     match msg {
-        LibraryMsg::Open(path) => return open(state, path),
+        LibraryMsg::Open(path) => return open(state, &path),
         LibraryMsg::Close => close(state),
         LibraryMsg::Listed { number, result } => listed(state, number, result),
         LibraryMsg::Seen { number, seen } => {
@@ -51,8 +51,8 @@ pub(in crate::app) fn apply(state: &mut State, msg: LibraryMsg) -> Vec<Task> {
     Vec::new()
 }
 
-fn open(state: &mut State, path: PathBuf) -> Vec<Task> {
-    let path = files::absolute(&path);
+fn open(state: &mut State, path: &Path) -> Vec<Task> {
+    let path = files::absolute(path);
     close(state);
     state.prefs.remember(path.clone());
     state.prefs.folder = Some(path.clone());

@@ -24,7 +24,7 @@ pub enum LibraryTask {
         hold: Hold,
     },
     /// Fit files, one after the other.
-    Fit(FolderFit),
+    Fit(Box<FolderFit>),
     /// Ask for a folder to open.
     Pick,
     /// Ask where to, and write these fits.

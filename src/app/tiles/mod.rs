@@ -5,6 +5,7 @@ mod fits;
 mod legend;
 mod lobes;
 mod panes;
+mod scatter;
 mod sphere;
 pub mod sphere_callback;
 
@@ -182,6 +183,7 @@ impl Behavior<Pane> for View<'_> {
             return;
         };
         let row = pane.row();
+        ui.add_space(8.0);
         let response = ui.add(egui::Button::new("?").frame(false));
         response.widget_info(|| {
             egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Help: {}", row.name))

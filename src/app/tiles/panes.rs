@@ -1,6 +1,6 @@
 //! The kinds of tiles, as rows: name, help, and what draws them.
 
-use super::{fits, lobes, sphere};
+use super::{fits, lobes, scatter, sphere};
 use crate::app::state::State;
 use crate::app::update::Msg;
 use serde::{Deserialize, Serialize};
@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 pub enum Pane {
     Sphere,
     Fits,
+    Scatter,
     Lobes,
 }
 
@@ -40,7 +41,7 @@ pub struct Row {
 }
 
 /// All kinds of tiles in the order of their tabs.
-pub const PANES: [Row; 3] = [
+pub const PANES: [Row; 4] = [
     Row {
         pane: Pane::Sphere,
         key: "sphere",
@@ -67,6 +68,18 @@ pub const PANES: [Row; 3] = [
             fits::fits_ui(ui, state, out);
             false
         },
+    },
+    Row {
+        pane: Pane::Scatter,
+        key: "scatter",
+        name: "Materials",
+        help: [
+            "Every material with a fit of the combined model: α over s.",
+            "At α = 0 a material is Phong-like, at α = 1 Blinn-Phong-like. Open ones have a coloured rim.",
+            "Point to read a name and its numbers; a click shows that material.",
+        ],
+        home: Home::Upper,
+        ui: scatter::scatter_ui,
     },
     Row {
         pane: Pane::Lobes,
