@@ -1,6 +1,6 @@
 //! The kinds of tiles, as rows: name, help, and what draws them.
 
-use super::{albedo, error_map, fits, image, landscape, lobe3d, lobes, slices, sphere};
+use super::{albedo, error_map, fits, image, landscape, lobe3d, lobes, scatter, slices, sphere};
 use crate::app::state::State;
 use crate::app::update::Msg;
 use serde::{Deserialize, Serialize};
@@ -12,6 +12,7 @@ pub enum Pane {
     Sphere,
     Fits,
     Landscape,
+    Scatter,
     Lobes,
     Slices,
     Albedo,
@@ -85,6 +86,18 @@ pub const PANES: &[Row] = &[
         ],
         home: Home::Upper,
         ui: landscape::landscape_ui,
+    },
+    Row {
+        pane: Pane::Scatter,
+        key: "scatter",
+        name: "Materials",
+        help: [
+            "Every material with a fit of the combined model: α over s.",
+            "At α = 0 a material is Phong-like, at α = 1 Blinn-Phong-like. Open ones have a coloured rim.",
+            "Point to read a name and its numbers; a click shows that material.",
+        ],
+        home: Home::Upper,
+        ui: scatter::scatter_ui,
     },
     Row {
         pane: Pane::Lobes,
