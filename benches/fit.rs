@@ -95,20 +95,19 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         ("stage 4", joint),
         ("stages 1-4", every),
     ] {
-        let one = best(3, || {
+        let one = in_passes(&problem, &brdf, || {
             fit(&problem, variant, &options, &mut |_| {
                 ControlFlow::Continue(())
             })
         });
-        let six = best(3, || {
+        let six = in_passes(&problem, &brdf, || {
             fit_all(&problem, &all, &options, &mut |_, _| {
                 ControlFlow::Continue(())
             })
         });
         println!(
-            "{name}: combined {one:8.1} ms, {:5.0} passes; all six {six:8.1} ms, {:5.0} passes",
-            one / pass,
-            six / pass
+            "{name}: combined {:8.1} ms, {:5.0} passes; all six {:8.1} ms, {:5.0} passes",
+            one.0, one.1, six.0, six.1
         );
     }
     match memory {
@@ -245,10 +244,18 @@ fn timed<T>(work: impl FnOnce() -> T) -> f64 {
     1e3 * started.elapsed().as_secs_f64()
 }
 
-fn best<T>(runs: usize, mut work: impl FnMut() -> T) -> f64 {
-    (0..runs)
-        .map(|_| timed(&mut work))
-        .fold(f64::INFINITY, f64::min)
+/// The medians of milliseconds and of objective passes that it takes; passes are timed right before and after.
+fn in_passes<T>(problem: &Problem, brdf: &Brdf, mut work: impl FnMut() -> T) -> (f64, f64) {
+    let passes = || (0..8).map(|_| timed(|| problem.error(black_box(brdf))));
+    let (mut times, mut ratios) = (Vec::new(), Vec::new());
+    for _ in 0..5 {
+        let mut pass: Vec<f64> = passes().collect();
+        let time = timed(&mut work);
+        pass.extend(passes());
+        times.push(time);
+        ratios.push(time / median(pass));
+    }
+    (median(times), median(ratios))
 }
 
 fn median(mut values: Vec<f64>) -> f64 {
