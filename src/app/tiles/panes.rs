@@ -118,7 +118,7 @@ pub const PANES: &[Row] = &[
         help: [
             "f_r over one angle with the others fixed, and what is between model and measurement below.",
             "The wheel zooms the angle, over the numbers at the left or with Ctrl the values; drag to pan, double click resets.",
-            "Point to read values, click to pin. \"Follow probe\" takes the fixed angles from the other views.",
+            "Point to read values, click to pin. \"Follow\" takes the fixed angles from the other views.",
         ],
         home: Home::Lower,
         ui: slices::slices_ui,
