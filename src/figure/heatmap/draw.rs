@@ -316,10 +316,10 @@ fn mark(drawing: &mut Drawing, spot: Spot, frame: &HeatFrame) {
     match spot {
         Spot::Probe(mark) => ring(4.0, mark.exact, LIGHT),
         Spot::Mirrored(mark) => ring(3.0, mark.exact, LIGHT),
-        Spot::Here(_) => ring(4.5, true, Role::Accent),
+        Spot::Here(_) => ring(3.5, true, Role::Accent),
         Spot::Start(_) => ring(4.0, false, LIGHT),
         Spot::Best(_) => {
-            for (half, role) in [(6.5, DARK), (5.0, LIGHT)] {
+            for (half, role) in [(9.0, DARK), (7.5, LIGHT)] {
                 let corners = vec![[x, y - half], [x + half, y], [x, y + half], [x - half, y]];
                 drawing.fill(corners, role.into());
             }
