@@ -85,6 +85,10 @@ fn a_click_pins_and_a_probe_from_elsewhere_is_marked() {
     let pinned = window.state().state().pinned.expect("pinned");
     let angles = pinned.angles().expect("angles");
     assert!((angles.theta_d.to_degrees() - 40.0).abs() < 0.05);
+    let slices = &window.state().state().scene.slices.spec;
+    assert!((slices.theta_h.to_degrees() - 30.0).abs() < 0.05);
+    assert!((slices.theta_d.to_degrees() - 40.0).abs() < 0.05);
+    assert_eq!(slices.phi_d, window.state().state().scene.image.phi_d);
     let ctx = window.ctx.clone();
     window.state_mut().handle(&ctx, Msg::Pin(None));
     window.hover_at(egui::pos2(3.0, 3.0));

@@ -7,6 +7,7 @@
 use super::jobs::Outbox;
 use super::state::{CancelFlag, State};
 use super::update::{Msg, Task};
+use super::views::albedo::{MeasuredAlbedo, ModelAlbedo};
 use super::views::error_map::ErrorWish;
 use super::views::landscape::LandscapeWish;
 use std::fmt;
@@ -16,6 +17,10 @@ use std::sync::Arc;
 /// The slots of all kinds.
 #[derive(Debug, Default)]
 pub struct Derived {
+    /// Albedos of measurements.
+    pub measured_albedo: Slot<MeasuredAlbedo>,
+    /// Albedos of models.
+    pub model_albedo: Slot<ModelAlbedo>,
     /// Where the error of the shown model comes from.
     pub error_map: Slot<ErrorWish>,
     /// The best error over (s, α).

@@ -14,6 +14,8 @@ use super::subjects::{self, SubjectKey, Subjects};
 use super::views::error_map::ErrorMapView;
 use super::views::image::ImageView;
 use super::views::landscape::LandscapeView;
+use super::views::lobe3d::Lobe3dView;
+use super::views::{AlbedoView, SlicesView};
 use crate::brdf::{Brdf, ParamId, Params};
 use crate::files::SourceFile;
 use crate::files::fits::MaterialFits;
@@ -70,6 +72,12 @@ pub enum Msg {
     SetSphere(SphereTile),
     /// Change the lobe tile.
     SetLobes(LobeTile),
+    /// Change the slices.
+    SetSlices(SlicesView),
+    /// Change the albedo plot.
+    SetAlbedo(AlbedoView),
+    /// Change the tile of lobes in space.
+    SetLobe3d(Lobe3dView),
     /// Change the image slice.
     SetImage(ImageView),
     /// Change the error map.
@@ -250,6 +258,9 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
         Msg::Fit(msg) => return steps::apply(state, msg),
         Msg::SetSphere(sphere) => edit(state, |scene| scene.sphere = sphere),
         Msg::SetLobes(lobes) => edit(state, |scene| scene.lobes = lobes),
+        Msg::SetSlices(slices) => edit(state, |scene| scene.slices = slices),
+        Msg::SetAlbedo(albedo) => edit(state, |scene| scene.albedo = albedo),
+        Msg::SetLobe3d(lobe3d) => edit(state, |scene| scene.lobe3d = lobe3d),
         Msg::SetImage(image) => edit(state, |scene| scene.image = image),
         Msg::SetErrorMap(map) => edit(state, |scene| scene.error_map = map),
         Msg::SetLandscape(landscape) => edit(state, |scene| scene.landscape = landscape),

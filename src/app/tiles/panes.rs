@@ -1,6 +1,6 @@
 //! The kinds of tiles, as rows: name, help, and what draws them.
 
-use super::{error_map, fits, image, landscape, lobes, sphere};
+use super::{albedo, error_map, fits, image, landscape, lobe3d, lobes, slices, sphere};
 use crate::app::state::State;
 use crate::app::update::Msg;
 use serde::{Deserialize, Serialize};
@@ -13,6 +13,9 @@ pub enum Pane {
     Fits,
     Landscape,
     Lobes,
+    Slices,
+    Albedo,
+    Lobe3d,
     Image,
     ErrorMap,
 }
@@ -43,7 +46,7 @@ pub struct Row {
 }
 
 /// All kinds of tiles in the order of their tabs.
-pub const PANES: [Row; 6] = [
+pub const PANES: &[Row] = &[
     Row {
         pane: Pane::Sphere,
         key: "sphere",
@@ -94,6 +97,42 @@ pub const PANES: [Row; 6] = [
         ],
         home: Home::Lower,
         ui: lobes::lobes_ui,
+    },
+    Row {
+        pane: Pane::Slices,
+        key: "slices",
+        name: "Slices",
+        help: [
+            "f_r over one angle with the others fixed, and what is between model and measurement below.",
+            "The wheel zooms the angle, over the numbers at the left or with Ctrl the values; drag to pan, double click resets.",
+            "Point to read values, click to pin. \"Follow probe\" takes the fixed angles from the other views.",
+        ],
+        home: Home::Lower,
+        ui: slices::slices_ui,
+    },
+    Row {
+        pane: Pane::Albedo,
+        key: "albedo",
+        name: "Albedo",
+        help: [
+            "The share of the light from one angle that comes back, over all view directions; more than 1 is marked.",
+            "Of a measurement it is the sum over what was measured; the dotted line says which share that is.",
+            "Point to read values, click to pin. The wheel zooms, double click resets.",
+        ],
+        home: Home::Lower,
+        ui: albedo::albedo_ui,
+    },
+    Row {
+        pane: Pane::Lobe3d,
+        key: "lobe3d",
+        name: "3D lobe",
+        help: [
+            "f_r over all view directions for one angle of incidence: data as a solid, models as wire.",
+            "Drag to turn it, wheel to zoom, double click puts the view back.",
+            "The light is that of the probe. Point at the lobe to read values, click to pin.",
+        ],
+        home: Home::Lower,
+        ui: lobe3d::lobe3d_ui,
     },
     Row {
         pane: Pane::Image,

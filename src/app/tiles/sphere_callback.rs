@@ -1,7 +1,9 @@
 //! The sphere pass inside egui's picture: a paint callback, and what it keeps on the GPU between frames.
 
 use super::sphere::OnScreen;
+use super::sphere_error;
 use crate::app::state::{Material, MaterialId, Opened, State};
+use crate::geom::sphere_error::SphereError;
 use crate::gpu::sphere_pass::{SpherePass, SphereSlot, SphereUniform};
 use crate::gpu::table_texture::TableTexture;
 use crate::measured::Table;
@@ -22,13 +24,15 @@ pub enum Half {
     Model,
     /// Data left of a line at this place in units of the radius, model right of it.
     Split(f64),
+    /// How far the model is from the data.
+    Error(SphereError),
 }
 
 impl Half {
     /// The place of the line, far outside where there is only one.
     fn split(self) -> f64 {
         match self {
-            Self::Measured => 2.0,
+            Self::Measured | Self::Error(_) => 2.0,
             Self::Model => -2.0,
             Self::Split(at) => at,
         }
@@ -67,9 +71,14 @@ pub fn paint(
         sphere.half.split(),
         radius_px,
     );
+    let (uniform, compared) = match sphere.half {
+        Half::Error(error) => (uniform.comparing(error, &sphere_error::colors(error)), true),
+        _ => (uniform, false),
+    };
     let callback = SphereCallback {
         // Two spheres are told apart by what they show.
-        key: (opened.id, matches!(sphere.half, Half::Model)),
+        key: (opened.id, matches!(sphere.half, Half::Model) || compared),
+        compared,
         table: Arc::clone(&material.table),
         open: scene.opened.iter().map(|opened| opened.id).collect(),
         uniform,
@@ -88,6 +97,7 @@ struct Kept {
 
 struct SphereCallback {
     key: Key,
+    compared: bool,
     table: Arc<Table>,
     /// The materials whose textures are worth keeping.
     open: Vec<MaterialId>,
@@ -135,7 +145,11 @@ impl CallbackTrait for SphereCallback {
         if let Some(kept) = resources.get::<Kept>()
             && let Some(slot) = kept.slots.get(&self.key)
         {
-            kept.pass.draw(pass, slot);
+            if self.compared {
+                kept.pass.draw_compared(pass, slot);
+            } else {
+                kept.pass.draw(pass, slot);
+            }
         }
     }
 }

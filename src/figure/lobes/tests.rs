@@ -1,7 +1,7 @@
-use super::draw::off_segment;
 use super::*;
 use crate::figure::drawing::Item;
 use crate::figure::palette::Role;
+use crate::figure::polyline::off_segment;
 use crate::figure::scale::RADIAL_SCALES;
 use crate::figure::subject::{CHANNELS, Look, Source};
 use crate::geom::Cosines;
