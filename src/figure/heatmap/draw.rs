@@ -205,23 +205,14 @@ fn line_over(drawing: &mut Drawing, curve: &Curve, frame: &HeatFrame) {
 /// The pieces of a curve within the frame.
 fn runs(curve: &Curve, frame: &HeatFrame) -> Vec<Vec<Point>> {
     let points: Vec<Point> = curve.points.iter().map(|at| frame.point(*at)).collect();
-    let mut runs: Vec<Vec<Point>> = vec![Vec::new()];
+    let mut runs: Vec<Vec<Point>> = Vec::new();
     for pair in points.windows(2) {
         let Some([a, b]) = clip(pair[0], pair[1], frame) else {
-            runs.push(Vec::new());
             continue;
         };
-        if let Some(run) = runs.last_mut() {
-            if run.last() != Some(&a) {
-                if run.is_empty() {
-                    run.push(a);
-                } else {
-                    runs.push(vec![a]);
-                }
-            }
-        }
-        if let Some(run) = runs.last_mut() {
-            run.push(b);
+        match runs.last_mut() {
+            Some(run) if run.last() == Some(&a) => run.push(b),
+            _ => runs.push(vec![a, b]),
         }
     }
     runs.retain(|run| run.len() > 1);
