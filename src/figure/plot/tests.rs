@@ -48,6 +48,7 @@ pub(in crate::figure) fn strays(drawing: &Drawing) -> bool {
         let points = match item {
             Item::Line { points, .. } | Item::Fill { points, .. } => points.clone(),
             Item::Dot { center, .. } => vec![*center],
+            Item::Image { min, max, .. } => vec![*min, *max],
             Item::Text(label) => vec![label.pos],
             Item::Image { min, max, .. } => vec![*min, *max],
         };
