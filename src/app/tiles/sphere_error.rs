@@ -38,9 +38,12 @@ pub fn bar(ui: &egui::Ui, rect: Rect, sphere: &OnScreen, error: SphereError, sto
         let color = visuals.weak_text_color();
         painter.text(at, align, text, FontId::proportional(12.0), color);
     };
-    let name = match error {
-        SphereError::Difference => "|model − measured|",
-        SphereError::Ratio => "model / measured",
+    // Beside a small sphere there is room for a word.
+    let name = match (error, sphere.rect.width() > 240.0) {
+        (SphereError::Difference, true) => "|model − measured|",
+        (SphereError::Difference, false) => "difference",
+        (SphereError::Ratio, true) => "model / measured",
+        (SphereError::Ratio, false) => "ratio",
     };
     text(sphere.rect.left_top(), Align2::LEFT_TOP, name);
     let left = beside_bar(rect).right() + 4.0;
