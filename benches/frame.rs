@@ -61,7 +61,7 @@ fn main() {
     ] {
         println!("  {name:<24} {:6.1} ms", frame_ms(kind));
     }
-    for row in &PANES {
+    for row in PANES {
         let ratio = frame_ms(row.key) / frame_ms("panels");
         println!(
             "  {:<24} {:6.1} ms, {ratio:.2} × panels",

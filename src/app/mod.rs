@@ -190,7 +190,13 @@ impl eframe::App for App {
         for msg in out {
             self.handle(&ctx, msg);
         }
-        if !ctx.input(|input| input.pointer.any_down()) {
+        // A turn of the wheel goes on for some frames.
+        let gesture = ctx.input(|input| {
+            let still =
+                input.smooth_scroll_delta() == egui::Vec2::ZERO && input.zoom_delta() == 1.0;
+            input.pointer.any_down() || !still
+        });
+        if !gesture {
             self.handle(&ctx, Msg::Settle);
         }
         if changed {

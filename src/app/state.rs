@@ -6,7 +6,11 @@ use super::history::History;
 use super::probe::Probe;
 use super::subjects::SubjectKey;
 use super::tiles::Tiles;
+use super::views::error_map::ErrorMapView;
+use super::views::image::ImageView;
+use super::views::landscape::LandscapeView;
 use super::views::lobe3d::Lobe3dView;
+use super::views::{AlbedoView, SlicesView};
 use crate::brdf::{Brdf, ParamId};
 use crate::figure::Channel;
 use crate::figure::scale::RadialScale;
@@ -157,8 +161,18 @@ pub struct Scene {
     pub sphere: SphereTile,
     /// The polar lobes.
     pub lobes: LobeTile,
+    /// The slices.
+    pub slices: SlicesView,
+    /// The albedo.
+    pub albedo: AlbedoView,
     /// The lobes in space.
     pub lobe3d: Lobe3dView,
+    /// The image slice.
+    pub image: ImageView,
+    /// The error map.
+    pub error_map: ErrorMapView,
+    /// The error landscape.
+    pub landscape: LandscapeView,
 }
 
 impl Default for Scene {
@@ -181,7 +195,12 @@ impl Default for Scene {
                 with_cosine: false,
                 channel: Channel::Luminance,
             },
+            slices: SlicesView::default(),
+            albedo: AlbedoView::default(),
             lobe3d: Lobe3dView::default(),
+            image: ImageView::default(),
+            error_map: ErrorMapView::default(),
+            landscape: LandscapeView::default(),
         }
     }
 }

@@ -294,7 +294,7 @@ pub(super) fn entries() -> Vec<Entry> {
             "Colours of the window",
         );
     }
-    for row in &PANES {
+    for row in PANES {
         add(
             "View",
             "Tiles",
