@@ -1,14 +1,19 @@
-//! What a frame costs, as ratios taken in one run, in real windows on a virtual display with software Vulkan:
+//! What a frame costs, as ratios taken in one run, in real windows on a virtual display with software Vulkan. While a
+//! slider is dragged:
 //!
-//! - a slider is dragged with sphere and lobes open, against the same panels with an empty middle; goal ≤ 1.5
-//! - from the start of the process to the first frame, against a bare egui window; goal ≤ 1.5
+//! - with every tile in sight, against a bare window with the same panels and one empty plot; goal ≤ 2
+//! - each tile alone, against the same panels with an empty middle
+//!
+//! And from the start of the process to the first frame, against a bare egui window; goal ≤ 1.5.
 //!
 //! `cargo bench --bench frame`. Needs Xvfb. Each window is a process of its own: winit opens one event loop only.
 
 use eframe::egui;
+use grazing::app::tiles::PANES;
 use grazing::app::update::Msg;
 use grazing::app::{App, Options, Picker};
 use grazing::brdf::ParamId;
+use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
@@ -17,8 +22,12 @@ const KIND: &str = "GRAZING_BENCH_WINDOW";
 const SIZE: [f32; 2] = [1280.0, 800.0];
 /// Frames that do not count: the sample is loading and pipelines are compiled.
 const WARM_UP: Duration = Duration::from_secs(3);
-const MEASURED: Duration = Duration::from_secs(4);
+const MEASURED: Duration = Duration::from_secs(3);
 const ROUNDS: usize = 3;
+
+/// The window as it opens by default, the one with every tile side by side, the panels around nothing, a bare egui
+/// window, and a bare one with panels of the same sizes around an empty plot. Every other kind is the key of a tile.
+const WINDOWS: [&str; 5] = ["whole", "all", "panels", "bare", "bare-plot"];
 
 fn main() {
     if let Ok(kind) = std::env::var(KIND) {
@@ -32,26 +41,47 @@ fn main() {
         .spawn()
         .expect("Xvfb starts; install the package xvfb");
     std::thread::sleep(Duration::from_secs(1));
-    let mut times: [Vec<Numbers>; 3] = Default::default();
+    let kinds: Vec<&str> = WINDOWS
+        .into_iter()
+        .chain(PANES.iter().map(|row| row.key))
+        .collect();
+    let mut times: BTreeMap<&str, Vec<Numbers>> = BTreeMap::new();
     for _ in 0..ROUNDS {
-        for (kind, times) in ["panels", "whole", "bare"].into_iter().zip(&mut times) {
-            times.push(measure(kind, display));
+        // In turn, so that what else the machine does falls on all of them.
+        for kind in &kinds {
+            times.entry(kind).or_default().push(measure(kind, display));
         }
     }
-    let [panels, whole, bare] = times;
-    let frame = |runs: &[Numbers]| median(runs.iter().map(|run| run.frame));
-    let start = |runs: &[Numbers]| median(runs.iter().map(|run| run.start));
-    println!(
-        "frame while a slider is dragged: {:.1} ms with tiles, {:.1} ms panels alone, ratio {:.2} (goal ≤ 1.5)",
-        1e3 * frame(&whole),
-        1e3 * frame(&panels),
-        frame(&whole) / frame(&panels)
-    );
+    let frame_ms = |kind: &str| 1e3 * median(times[kind].iter().map(|run| run.frame));
+    let start_ms = |kind: &str| 1e3 * median(times[kind].iter().map(|run| run.start));
+    println!("frame while a slider is dragged, {}×{}:", SIZE[0], SIZE[1]);
+    for (kind, name) in [
+        ("bare-plot", "bare panels, empty plot"),
+        ("panels", "panels"),
+    ] {
+        println!("  {name:<24} {:6.1} ms", frame_ms(kind));
+    }
+    for row in PANES {
+        let ratio = frame_ms(row.key) / frame_ms("panels");
+        println!(
+            "  {:<24} {:6.1} ms, {ratio:.2} × panels",
+            row.name,
+            frame_ms(row.key)
+        );
+    }
+    for (kind, name) in [("whole", "as it opens"), ("all", "every tile")] {
+        let ratio = frame_ms(kind) / frame_ms("bare-plot");
+        let goal = if kind == "all" { " (goal ≤ 2)" } else { "" };
+        println!(
+            "  {name:<24} {:6.1} ms, {ratio:.2} × bare panels with an empty plot{goal}",
+            frame_ms(kind)
+        );
+    }
     println!(
         "start to first frame: {:.0} ms, {:.0} ms a bare window, ratio {:.2} (goal ≤ 1.5)",
-        1e3 * start(&whole),
-        1e3 * start(&bare),
-        start(&whole) / start(&bare)
+        start_ms("whole"),
+        start_ms("bare"),
+        start_ms("whole") / start_ms("bare")
     );
     let _ = server.kill();
     let _ = server.wait();
@@ -105,24 +135,13 @@ fn window(kind: &str) {
     };
     let kind = kind.to_string();
     let make = Box::new(move |cc: &eframe::CreationContext<'_>| {
-        let app = match kind.as_str() {
-            "bare" => None,
-            kind => {
-                let mut app = App::new(
-                    cc,
-                    Options {
-                        files: vec![],
-                        picker: Picker::system(),
-                    },
-                )?;
-                if kind == "panels" {
-                    app.close_tiles();
-                }
-                Some(app)
-            }
+        let content = match kind.as_str() {
+            "bare" => Content::Bare,
+            "bare-plot" => Content::BarePlot,
+            kind => Content::App(Box::new(app(cc, kind)?)),
         };
         Ok(Box::new(Driver {
-            app,
+            content,
             frames: 0,
             started: Instant::now(),
             first: None,
@@ -132,9 +151,39 @@ fn window(kind: &str) {
     eframe::run_native("bench", options, make).expect("a window");
 }
 
+fn app(
+    cc: &eframe::CreationContext<'_>,
+    kind: &str,
+) -> Result<App, Box<dyn std::error::Error + Send + Sync>> {
+    let options = Options {
+        files: vec![],
+        picker: Picker::system(),
+    };
+    let mut app = App::new(cc, options)?;
+    match kind {
+        "whole" => {}
+        "all" => app.tiles_side_by_side(),
+        "panels" => app.close_tiles(),
+        key => {
+            app.close_tiles();
+            let row = PANES.iter().find(|row| row.key == key);
+            let pane = row.ok_or("no tile has this key")?.pane;
+            let toggle = grazing::app::command::Command::ToggleTile(pane);
+            app.handle(&cc.egui_ctx, Msg::Run(toggle));
+        }
+    }
+    Ok(app)
+}
+
+enum Content {
+    Bare,
+    BarePlot,
+    App(Box<App>),
+}
+
 /// Repaints without end and moves a slider in every frame.
 struct Driver {
-    app: Option<App>,
+    content: Content,
     frames: usize,
     started: Instant,
     first: Option<Instant>,
@@ -162,9 +211,9 @@ impl eframe::App for Driver {
             std::process::exit(0);
         }
         self.frames += 1;
-        match &mut self.app {
-            Some(app) => {
-                self.s = if self.s > 1000.0 { 1.0 } else { self.s * 1.02 };
+        self.s = if self.s > 1000.0 { 1.0 } else { self.s * 1.02 };
+        match &mut self.content {
+            Content::App(app) => {
                 app.handle(
                     &ctx,
                     Msg::SetParam {
@@ -175,9 +224,34 @@ impl eframe::App for Driver {
                 );
                 app.ui(ui, frame);
             }
-            None => {
+            Content::Bare => {
                 egui::CentralPanel::default().show(ui, |ui| ui.label("bare"));
             }
+            Content::BarePlot => bare_plot_ui(ui, &mut self.s),
         }
     }
+}
+
+/// Panels of the sizes of the real ones with a slider, around the frame of a plot without curves.
+fn bare_plot_ui(ui: &mut egui::Ui, s: &mut f64) {
+    egui::Panel::top("menu").show(ui, |ui| ui.label("File"));
+    egui::Panel::bottom("status").show(ui, |ui| ui.label("status"));
+    egui::Panel::left("library")
+        .default_size(210.0)
+        .show(ui, |ui| ui.label("material"));
+    egui::Panel::right("model")
+        .default_size(316.0)
+        .show(ui, |ui| {
+            ui.add(egui::Slider::new(s, 1.0..=1000.0).text("s"));
+        });
+    egui::CentralPanel::default().show(ui, |ui| {
+        let rect = ui.available_rect_before_wrap();
+        let stroke = ui.visuals().widgets.noninteractive.bg_stroke;
+        ui.painter()
+            .rect_stroke(rect.shrink(20.0), 0.0, stroke, egui::StrokeKind::Middle);
+        for k in 1..10 {
+            let x = egui::lerp(rect.x_range(), k as f32 / 10.0);
+            ui.painter().vline(x, rect.y_range().shrink(20.0), stroke);
+        }
+    });
 }

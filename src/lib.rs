@@ -4,7 +4,7 @@
 //!
 //! | module | what it is | knows nothing of |
 //! |---|---|---|
-//! | [`geom`] | directions, half/difference angles, colour | egui, wgpu, files, threads, the clock |
+//! | [`geom`] | directions, half/difference angles, colour, the lit sphere | egui, wgpu, files, threads, the clock |
 //! | [`brdf`] | models and their parameters, as rows; WGSL twins | the same |
 //! | [`measured`] | tables on the MERL grid, lookup, layout, synthetic samples | the same |
 //! | [`fit`] | from a table to parameters | the same |

@@ -1,5 +1,6 @@
 //! The structs that the CPU uploads against the structs that the shader declares.
 
+use grazing::gpu::lobe3d_pass::SpaceUniform;
 use grazing::gpu::shader;
 use grazing::gpu::sphere_pass::SphereUniform;
 use naga::{Module, TypeInner};
@@ -49,6 +50,19 @@ fn the_sphere_uniform_has_the_shaders_layout() {
     for ((name, offset), (wanted_name, wanted)) in members.iter().zip(expected) {
         assert_eq!((name.as_str(), *offset), (wanted_name, wanted));
     }
+}
+
+#[test]
+fn the_space_uniform_has_the_shaders_layout() {
+    let source = shader::lobe3d();
+    assert!(is_the_same_on_gl(&source));
+    let (size, members) = layout(&parse(&source), "Space");
+    assert_eq!(size, size_of::<SpaceUniform>());
+    for ((name, offset), (wanted_name, wanted)) in members.iter().zip(SpaceUniform::offsets()) {
+        assert_eq!((name.as_str(), *offset), (wanted_name, wanted));
+    }
+    let planted = source.replace("    density: f32,", "    extra: vec4f,\n    density: f32,");
+    assert_ne!(layout(&parse(&planted), "Space").0, size);
 }
 
 #[test]

@@ -5,17 +5,21 @@ mod common;
 use common::{Random, gpu};
 use grazing::brdf::fresnel::Fresnel;
 use grazing::brdf::{Brdf, MODELS, Params};
+use grazing::figure::sphere_image::{error_image, sphere_image};
+use grazing::figure::subject::Source;
 use grazing::geom::Cosines;
 use grazing::geom::color::srgb_bytes;
+use grazing::geom::sphere::{SphereView, local_directions};
+use grazing::geom::sphere_error::SphereError;
 use grazing::gpu::adapter::{Gpu, headless_on};
 use grazing::gpu::offscreen;
-use grazing::gpu::sphere::{SphereView, local_directions};
 use grazing::gpu::sphere_pass::{SpherePass, SphereUniform};
 use grazing::gpu::table_texture::TableTexture;
 use grazing::measured::lookup::Lookup;
 use grazing::measured::{Grid, Table};
 use image::RgbaImage;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 const SIZE: u32 = 200;
 
@@ -196,4 +200,84 @@ fn gl_draws_the_same_sphere() {
     let differing = differing.count();
     assert!(differing < (SIZE * SIZE) as usize / 20, "{differing}");
     assert!(b.get_pixel(SIZE * 3 / 4, SIZE / 2).0[0] > 40, "lit");
+}
+
+/// Mean distance in steps of 255 between the picture of the adapter and the one without, for the table and the model.
+fn mean_distance(gpu: &Gpu, table: &Arc<Table>, shift: f64) -> f64 {
+    let texture = TableTexture::upload(&gpu.device, &gpu.queue, table);
+    let view = SphereView {
+        exposure_stops: shift,
+        ..SphereView::default()
+    };
+    let sources = [
+        (2.0, Source::Measured(Arc::clone(table), Lookup::Smooth)),
+        (-2.0, Source::Model(brdf())),
+    ];
+    let mut total = 0.0;
+    for (split, source) in sources {
+        let first = picture(gpu, &texture, split, Lookup::Smooth);
+        let second = sphere_image(&source, &view, SIZE as usize);
+        let distances = first.as_raw().iter().zip(&second);
+        let sum: f64 = distances.map(|(a, b)| f64::from(a.abs_diff(*b))).sum();
+        total += sum / second.len() as f64;
+    }
+    0.5 * total
+}
+
+#[test]
+fn the_picture_without_an_adapter_is_the_same() {
+    let Some(gpu) = gpu() else { return };
+    let table = Arc::new(table(0.2));
+    let mean = mean_distance(&gpu, &table, 0.0);
+    println!("with and without an adapter: {mean:.3} of 255 apart");
+    assert!(mean < 0.05, "{mean}");
+    // A fortieth of a stop is 1.7 % of the light.
+    let planted = mean_distance(&gpu, &table, 0.025);
+    assert!(planted > 0.2, "a planted shift went unnoticed: {planted}");
+}
+
+/// Mean distance in steps of 255 between the comparison on the adapter and the one without.
+fn mean_compared_distance(gpu: &Gpu, table: &Arc<Table>, error: SphereError, shift: f64) -> f64 {
+    let texture = TableTexture::upload(&gpu.device, &gpu.queue, table);
+    let pass = SpherePass::new(&gpu.device, offscreen::FORMAT);
+    let slot = pass.slot(&gpu.device, &texture);
+    // The measurement is the model, but for a planted half of the highlight.
+    let mut other = brdf();
+    other.params.k_s = [4.0; 3];
+    let view = SphereView::default();
+    let colors = std::array::from_fn(|k| [8 * k.min(31) as u8, 255 - 8 * k.min(31) as u8, 77]);
+    let uniform = SphereUniform::new(&view, &other, Lookup::Smooth, 0.0, 0.5 * SIZE as f32);
+    slot.write(&gpu.queue, &uniform.comparing(error, &colors));
+    let first = offscreen::render(gpu, SIZE, |render| pass.draw_compared(render, &slot));
+    let first = first.expect("a picture");
+    let map = |place: f64| {
+        let x = (place + shift).clamp(0.0, 1.0) * 32.0;
+        let low = (x as usize).min(31);
+        let mix = |a: u8, b: u8| {
+            let (a, b) = (f64::from(a), f64::from(b));
+            (a + (x - low as f64) * (b - a)).round() as u8
+        };
+        std::array::from_fn(|k| mix(colors[low][k], colors[low + 1][k]))
+    };
+    let sources = [
+        Source::Measured(Arc::clone(table), Lookup::Smooth),
+        Source::Model(other),
+    ];
+    let second = error_image([&sources[0], &sources[1]], &view, error, map, SIZE as usize);
+    let distances = first.as_raw().iter().zip(&second);
+    let sum: f64 = distances.map(|(a, b)| f64::from(a.abs_diff(*b))).sum();
+    sum / second.len() as f64
+}
+
+#[test]
+fn the_comparison_is_its_definition() {
+    let Some(gpu) = gpu() else { return };
+    let table = Arc::new(table(0.2));
+    for error in [SphereError::Difference, SphereError::Ratio] {
+        let mean = mean_compared_distance(&gpu, &table, error, 0.0);
+        println!("{error:?} with and without an adapter: {mean:.3} of 255 apart");
+        assert!(mean < 0.1, "{error:?}: {mean}");
+        let planted = mean_compared_distance(&gpu, &table, error, 0.02);
+        assert!(planted > 0.5, "a shift went unnoticed: {error:?} {planted}");
+    }
 }

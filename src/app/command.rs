@@ -9,7 +9,7 @@ use super::tiles::Pane;
 use crate::brdf::fresnel::Fresnel;
 use crate::figure::scale::RadialScale;
 use crate::fit::Weight;
-use crate::gpu::sphere::LIGHT_PRESETS;
+use crate::geom::sphere::LIGHT_PRESETS;
 use crate::measured::lookup::Lookup;
 use egui::KeyboardShortcut;
 use std::sync::LazyLock;

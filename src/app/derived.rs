@@ -7,13 +7,25 @@
 use super::jobs::Outbox;
 use super::state::{CancelFlag, State};
 use super::update::{Msg, Task};
+use super::views::albedo::{MeasuredAlbedo, ModelAlbedo};
+use super::views::error_map::ErrorWish;
+use super::views::landscape::LandscapeWish;
 use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 /// The slots of all kinds.
 #[derive(Debug, Default)]
-pub struct Derived {}
+pub struct Derived {
+    /// Albedos of measurements.
+    pub measured_albedo: Slot<MeasuredAlbedo>,
+    /// Albedos of models.
+    pub model_albedo: Slot<ModelAlbedo>,
+    /// Where the error of the shown model comes from.
+    pub error_map: Slot<ErrorWish>,
+    /// The best error over (s, α).
+    pub landscape: Slot<LandscapeWish>,
+}
 
 /// A result that takes long, by what it is made from.
 pub trait Wish: Clone + PartialEq + fmt::Debug + Send + 'static {

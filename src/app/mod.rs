@@ -80,6 +80,7 @@ impl App {
             .as_ref()
             .ok_or("the window has no wgpu renderer")?;
         tiles::sphere_callback::install(render_state);
+        tiles::lobe3d_callback::install(render_state);
         set_style(&cc.egui_ctx);
         let (outbox, inbox) = Outbox::new(cc.egui_ctx.clone());
         let mut app = Self {
@@ -121,6 +122,11 @@ impl App {
     /// Takes every tile away, so that the panels are left: what the benchmark of a frame compares with.
     pub fn close_tiles(&mut self) {
         self.state.tiles = Tiles::none();
+    }
+
+    /// Puts every tile in sight at once, for the same benchmark.
+    pub fn tiles_side_by_side(&mut self) {
+        self.state.tiles = Tiles::side_by_side();
     }
 
     /// Applies a message and starts what follows from it.
@@ -187,7 +193,13 @@ impl eframe::App for App {
         for msg in out {
             self.handle(&ctx, msg);
         }
-        if !ctx.input(|input| input.pointer.any_down()) {
+        // A turn of the wheel goes on for some frames.
+        let gesture = ctx.input(|input| {
+            let still =
+                input.smooth_scroll_delta() == egui::Vec2::ZERO && input.zoom_delta() == 1.0;
+            input.pointer.any_down() || !still
+        });
+        if !gesture {
             self.handle(&ctx, Msg::Settle);
         }
         if changed {

@@ -1,5 +1,7 @@
 //! Paints a [`Drawing`] with egui, and turns marked-up text into egui's.
 
+mod pictures;
+
 use crate::figure::drawing::{Drawing, Item, Label, Point};
 use crate::figure::palette::{Ink, Palette, Role};
 use crate::figure::text::{Level, RichText};
@@ -57,6 +59,17 @@ pub fn paint(painter: &Painter, origin: Pos2, drawing: &Drawing, palette: &Palet
                 painter.circle(place(center), *radius, color(palette, *ink), stroke);
             }
             Item::Text(label) => paint_label(painter, place(&label.pos), label, palette),
+            Item::Image {
+                min,
+                max,
+                width,
+                height,
+                rgba,
+                smooth,
+            } => {
+                let rect = Rect::from_min_max(place(min), place(max));
+                pictures::paint_picture(painter, rect, [*width, *height], rgba, *smooth);
+            }
         }
     }
 }

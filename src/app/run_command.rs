@@ -7,7 +7,7 @@ use super::state::{Dialog, Origin, State};
 use super::tiles::Tiles;
 use super::update::{Msg, Task, apply, edit, edit_brdf, load};
 use crate::brdf::{Brdf, Fresnel, MODELS, Model};
-use crate::gpu::sphere::LIGHT_PRESETS;
+use crate::geom::sphere::LIGHT_PRESETS;
 use crate::measured::lookup::Lookup;
 use crate::measured::samples::SAMPLES;
 

@@ -11,6 +11,11 @@ use super::probe::Probe;
 use super::run_command;
 use super::state::{CancelFlag, Level, LobeTile, Notice, Origin, Scene, SphereTile, State};
 use super::subjects::{self, SubjectKey, Subjects};
+use super::views::error_map::ErrorMapView;
+use super::views::image::ImageView;
+use super::views::landscape::LandscapeView;
+use super::views::lobe3d::Lobe3dView;
+use super::views::{AlbedoView, SlicesView};
 use crate::brdf::{Brdf, ParamId, Params};
 use crate::files::SourceFile;
 use crate::files::fits::MaterialFits;
@@ -68,6 +73,20 @@ pub enum Msg {
     SetSphere(SphereTile),
     /// Change the lobe tile.
     SetLobes(LobeTile),
+    /// Change the slices.
+    SetSlices(SlicesView),
+    /// Change the albedo plot.
+    SetAlbedo(AlbedoView),
+    /// Change the tile of lobes in space.
+    SetLobe3d(Lobe3dView),
+    /// Change the image slice.
+    SetImage(ImageView),
+    /// Change the error map.
+    SetErrorMap(ErrorMapView),
+    /// Change the error landscape.
+    SetLandscape(LandscapeView),
+    /// Lay this model over the shown material, with the best ρ_d and k_s once they are found.
+    TakeModel(Brdf),
     /// The pointer shows a pair of directions, or none.
     Hover(Option<Probe>),
     /// Keep a pair of directions marked, or let it go.
@@ -240,6 +259,16 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
         Msg::Library(msg) => return library::steps::apply(state, msg),
         Msg::SetSphere(sphere) => edit(state, |scene| scene.sphere = sphere),
         Msg::SetLobes(lobes) => edit(state, |scene| scene.lobes = lobes),
+        Msg::SetSlices(slices) => edit(state, |scene| scene.slices = slices),
+        Msg::SetAlbedo(albedo) => edit(state, |scene| scene.albedo = albedo),
+        Msg::SetLobe3d(lobe3d) => edit(state, |scene| scene.lobe3d = lobe3d),
+        Msg::SetImage(image) => edit(state, |scene| scene.image = image),
+        Msg::SetErrorMap(map) => edit(state, |scene| scene.error_map = map),
+        Msg::SetLandscape(landscape) => edit(state, |scene| scene.landscape = landscape),
+        Msg::TakeModel(taken) => {
+            edit_brdf(state, |brdf| *brdf = taken);
+            return steps::resolve_taken(state);
+        }
         Msg::Hover(probe) => state.hovered = probe,
         Msg::Pin(probe) => state.pinned = probe,
         Msg::Legend { key, solo } => {

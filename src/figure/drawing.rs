@@ -5,6 +5,7 @@
 
 use super::palette::Ink;
 use super::text::RichText;
+use std::sync::Arc;
 
 /// A position in points, x to the right and y down.
 pub type Point = [f32; 2];
@@ -52,6 +53,21 @@ pub enum Item {
     },
     /// One line of text.
     Text(Label),
+    /// A picture made of pixels.
+    Image {
+        /// Upper left corner.
+        min: Point,
+        /// Lower right corner.
+        max: Point,
+        /// Pixels in a row.
+        width: usize,
+        /// Rows.
+        height: usize,
+        /// Four bytes per pixel from the upper left, row by row: sRGB and opacity, not multiplied.
+        rgba: Arc<[u8]>,
+        /// Whether pixels run into one another where they are drawn larger, or have edges.
+        smooth: bool,
+    },
 }
 
 /// One line of text and where it stands.

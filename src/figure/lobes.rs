@@ -9,7 +9,7 @@ mod layout;
 mod traces;
 
 pub use frame::LobeFrame;
-pub use traces::{Sample, Trace};
+pub use traces::Trace;
 
 use super::drawing::{Drawing, Point};
 use super::legend::LegendEntry;

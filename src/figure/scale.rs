@@ -1,6 +1,8 @@
 //! How values become lengths: linear, cube root or logarithmic, with limits and ticks at round values.
 
-use super::text::RichText;
+mod ticks;
+
+pub use ticks::{Steps, Tick, Ticks};
 
 /// The law of an axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -60,29 +62,28 @@ const DECADES: (i32, i32) = (3, 6);
 pub struct Axis {
     /// Its law.
     pub scale: RadialScale,
-    /// The value at length 1, > 0.
+    /// The value at length 1.
     pub limit: f64,
-    /// The value at length 0: a power of ten on a logarithmic axis, 0 on the others.
+    /// The value at length 0, below `limit`; > 0 on a logarithmic axis.
     pub floor: f64,
-}
-
-/// A value that is marked on an axis.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Tick {
-    /// The value.
-    pub value: f64,
-    /// Its length, in (0, 1].
-    pub position: f64,
-    /// How it is written.
-    pub label: RichText,
 }
 
 impl Axis {
     /// An axis up to `limit`, for values of which `smallest` is the smallest positive one.
     ///
-    /// A limit that is no positive number becomes 1. The floor of a logarithmic axis is the power of ten below
-    /// `smallest`, three to six decades below the limit.
+    /// A limit that is no positive number becomes 1. The floor is 0; of a logarithmic axis it is the power of ten
+    /// below `smallest`, three to six decades below the limit.
     pub fn new(scale: RadialScale, limit: f64, smallest: Option<f64>) -> Self {
+        Self::with_decades(scale, limit, smallest, DECADES)
+    }
+
+    /// The same with the fewest and most decades that a logarithmic axis shows.
+    pub fn with_decades(
+        scale: RadialScale,
+        limit: f64,
+        smallest: Option<f64>,
+        (fewest, most): (i32, i32),
+    ) -> Self {
         let limit = if limit.is_finite() && limit > 0.0 {
             limit.max(1e-300)
         } else {
@@ -93,9 +94,8 @@ impl Axis {
             RadialScale::Log => {
                 // The decade that the limit ends: 1 for limits in (0.1, 1].
                 let top = (limit.log10() - 1e-9).ceil() as i32;
-                let wanted =
-                    smallest.map_or(top - DECADES.0, |x| (x.log10() - 1e-9).floor() as i32);
-                10f64.powi(wanted.clamp(top - DECADES.1, top - DECADES.0))
+                let wanted = smallest.map_or(top - fewest, |x| (x.log10() - 1e-9).floor() as i32);
+                10f64.powi(wanted.clamp(top - most, top - fewest))
             }
         };
         Self {
@@ -105,79 +105,69 @@ impl Axis {
         }
     }
 
-    /// The length of a value: 0 at the floor and below, 1 at the limit, more above it.
-    pub fn position(&self, value: f64) -> f64 {
-        match self.scale {
-            RadialScale::Linear => (value / self.limit).max(0.0),
-            RadialScale::CubeRoot => (value / self.limit).max(0.0).cbrt(),
-            RadialScale::Log if value <= self.floor => 0.0,
-            RadialScale::Log => (value / self.floor).log10() / (self.limit / self.floor).log10(),
-        }
-    }
-
-    /// The value of a length: the inverse of [`Axis::position`] above the floor.
-    pub fn value(&self, position: f64) -> f64 {
-        match self.scale {
-            RadialScale::Linear => self.limit * position,
-            RadialScale::CubeRoot => self.limit * position.powi(3),
-            RadialScale::Log => self.floor * (self.limit / self.floor).powf(position),
-        }
-    }
-
-    /// About `count` round values in (floor, limit], ascending: 1, 2, 5 times powers of ten, or the powers alone
-    /// on a logarithmic axis.
-    pub fn ticks(&self, count: usize) -> Vec<Tick> {
-        let count = count.max(1);
-        let values = match self.scale {
-            RadialScale::Linear => even_values(self.limit, count),
-            RadialScale::CubeRoot => self.spread_values(0.8 / count as f64),
-            RadialScale::Log => self.decades(count),
-        };
-        values
-            .into_iter()
-            .map(|value| Tick {
-                value,
-                position: self.position(value),
-                label: RichText::parse(&match self.scale {
-                    RadialScale::Log => power_of_ten(value),
-                    _ => number(value),
-                }),
-            })
-            .collect()
-    }
-
-    /// 1-2-5 values at least `gap` of length apart, from the limit downwards.
-    fn spread_values(&self, gap: f64) -> Vec<f64> {
-        let mut values = Vec::new();
-        let mut last = f64::INFINITY;
-        let top = self.limit.log10().ceil() as i32;
-        for exponent in (top - 4..=top).rev() {
-            for digit in [5.0, 2.0, 1.0] {
-                let value = scaled(digit, exponent);
-                let position = self.position(value);
-                if position <= 1.0 + 1e-9 && last - position >= gap && position >= gap {
-                    values.push(value);
-                    last = position;
-                }
+    /// An axis from `low` to `high`; where they are not ends of this scale, the nearest that are.
+    pub fn between(scale: RadialScale, low: f64, high: f64) -> Self {
+        let high = if high.is_finite() { high } else { 1.0 };
+        let low = if low.is_finite() { low } else { 0.0 };
+        let (floor, limit) = match scale {
+            RadialScale::Log => {
+                let limit = if high > 0.0 { high.max(1e-300) } else { 1.0 };
+                let floor = if low > 0.0 { low } else { 1e-6 * limit };
+                (floor, limit)
             }
+            RadialScale::Linear | RadialScale::CubeRoot => (low, high),
+        };
+        // Closer than this the ends cannot be told from rounding.
+        let least = 1e-9 * floor.abs().max(limit.abs()).max(1e-290);
+        Self {
+            scale,
+            floor,
+            limit: limit.max(floor + least),
         }
-        values.reverse();
-        values
     }
 
-    /// Powers of ten, every first, second or third.
-    fn decades(&self, count: usize) -> Vec<f64> {
-        let bottom = self.floor.log10().round() as i32 + 1;
-        let top = (self.limit.log10() + 1e-9).floor() as i32;
-        let step = ((top - bottom + 1).max(1) as usize).div_ceil(count);
-        // Downwards, so that the largest one is always there.
-        let mut values: Vec<f64> = (bottom..=top)
-            .rev()
-            .step_by(step)
-            .map(|exponent| scaled(1.0, exponent))
-            .collect();
-        values.reverse();
-        values
+    /// Lengths in proportion to this are evenly spread; −∞ for what a logarithm has no number for.
+    fn bent(&self, value: f64) -> f64 {
+        match self.scale {
+            RadialScale::Linear => value,
+            RadialScale::CubeRoot => value.cbrt(),
+            RadialScale::Log if value > 0.0 => value.log10(),
+            RadialScale::Log => f64::NEG_INFINITY,
+        }
+    }
+
+    /// The length of a value: 0 at the floor, 1 at the limit, outside [0, 1] beyond them; −∞ where a logarithmic axis
+    /// has no place for it.
+    pub fn share(&self, value: f64) -> f64 {
+        let from = self.bent(self.floor);
+        (self.bent(value) - from) / (self.bent(self.limit) - from)
+    }
+
+    /// The same for lengths that end at 0: 0 at the floor and below.
+    pub fn position(&self, value: f64) -> f64 {
+        self.share(value).max(0.0)
+    }
+
+    /// The value of a length: the inverse of [`Axis::share`].
+    pub fn value(&self, position: f64) -> f64 {
+        let (from, to) = (self.bent(self.floor), self.bent(self.limit));
+        let bent = from + (to - from) * position;
+        match self.scale {
+            RadialScale::Linear => bent,
+            RadialScale::CubeRoot => bent.powi(3),
+            RadialScale::Log => 10f64.powf(bent),
+        }
+    }
+
+    /// The ends of what is seen `factor` times larger, with the value at length `around` where it was.
+    pub fn zoomed(&self, around: f64, factor: f64) -> [f64; 2] {
+        let (below, above) = (around / factor, (1.0 - around) / factor);
+        [self.value(around - below), self.value(around + above)]
+    }
+
+    /// The ends of what is seen a length further on.
+    pub fn moved(&self, by: f64) -> [f64; 2] {
+        [self.value(by), self.value(1.0 + by)]
     }
 }
 
@@ -232,26 +222,12 @@ fn signed(exponent: i32) -> String {
 }
 
 /// digit · 10^exponent, rounded once for negative exponents too.
-fn scaled(digit: f64, exponent: i32) -> f64 {
+pub(super) fn scaled(digit: f64, exponent: i32) -> f64 {
     if exponent < 0 {
         digit / 10f64.powi(-exponent)
     } else {
         digit * 10f64.powi(exponent)
     }
-}
-
-/// Multiples of the smallest step of 1, 2 or 5 times a power of ten that needs no more than `count`.
-fn even_values(limit: f64, count: usize) -> Vec<f64> {
-    let least = limit / count as f64;
-    let exponent = least.log10().floor() as i32;
-    let digit = [1.0, 2.0, 5.0, 10.0]
-        .into_iter()
-        .find(|digit| scaled(*digit, exponent) >= least * (1.0 - 1e-9))
-        .unwrap_or(10.0);
-    (1..=count)
-        .map(|k| scaled(digit * k as f64, exponent))
-        .take_while(|value| *value <= limit * (1.0 + 1e-9))
-        .collect()
 }
 
 #[cfg(test)]

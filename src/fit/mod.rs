@@ -12,6 +12,8 @@ pub mod concerns;
 mod contained;
 mod descent;
 mod engine;
+pub mod error_map;
+pub mod landscape;
 mod lanes;
 mod objective;
 pub mod options;

@@ -1,4 +1,4 @@
-//! Directions, half/difference angles and colour. Pure: no egui, wgpu, files, threads or clock.
+//! Directions, half/difference angles, colour, and the lit sphere as numbers. Pure: no egui, wgpu, files, threads or clock.
 //!
 //! Directions live in the local frame of the surface, z = n, and are unit vectors. Angles are radians.
 //! `x.wgsl` beside `x.rs` is its twin on the GPU: the same functions under the same names.
@@ -7,6 +7,8 @@ pub mod color;
 pub mod cosines;
 pub mod directions;
 pub mod half_diff;
+pub mod sphere;
+pub mod sphere_error;
 
 pub use cosines::{Cosine, Cosines};
 pub use directions::{direction, mirror};

@@ -3,8 +3,8 @@
 //! WGSL mirrors the CPU function by function; `tests/parity.rs` compares the two as numbers.
 
 pub mod adapter;
+pub mod lobe3d_pass;
 pub mod offscreen;
 pub mod shader;
-pub mod sphere;
 pub mod sphere_pass;
 pub mod table_texture;

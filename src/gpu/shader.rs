@@ -15,3 +15,13 @@ pub fn library() -> String {
 pub fn sphere() -> String {
     library() + include_str!("sphere.wgsl")
 }
+
+/// Lobes in space.
+pub fn lobe3d() -> String {
+    include_str!("lobe3d.wgsl").to_string()
+}
+
+/// A picture put into another one.
+pub fn blit() -> String {
+    include_str!("blit.wgsl").to_string()
+}

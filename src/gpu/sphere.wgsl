@@ -1,4 +1,4 @@
-// The sphere pass; twin of the definitions in sphere.rs. Table and model are parts of a square with shaders of their own:
+// The sphere pass; twin of the definitions in geom/sphere.rs. Table and model are parts of a square with shaders of their own:
 // a software rasteriser computes both sides of every branch.
 //
 // No @align or @size in uniforms: the GLSL that GL gets knows neither, and would read other numbers.
@@ -21,6 +21,11 @@ struct Sphere {
     radius_px: f32,
     hatch_dark: vec4f,
     hatch_light: vec4f,
+    // Of the comparison: 0 for the difference and 1 for the ratio, its limit, that of the ratio in stops, and the
+    // radiance below which there is nothing to compare.
+    comparison: vec4f,
+    // Colours of the comparison at even places from 0 to 1.
+    colors: array<vec4f, 33>,
 }
 
 @group(0) @binding(0) var<uniform> sphere: Sphere;
@@ -55,6 +60,16 @@ fn vertex_measured(@builtin(vertex_index) index: u32) -> Vertex {
 @vertex
 fn vertex_model(@builtin(vertex_index) index: u32) -> Vertex {
     return part(index, cut(), 1.0);
+}
+
+@vertex
+fn vertex_compared(@builtin(vertex_index) index: u32) -> Vertex {
+    return part(index, -1.0, 1.0);
+}
+
+@fragment
+fn fragment_compared(in: Vertex) -> @location(0) vec4f {
+    return with_soft_rim(compared(frame_at(in.point), in.position.xy), in.point);
 }
 
 @fragment
@@ -119,8 +134,55 @@ fn measured(frame: mat3x3f, pixel: vec2f) -> vec3f {
         radiance += min(value.rgb, vec3f(1e15)) * wi.z * sphere.lights[k].irradiance;
     }
     if unmeasured {
-        let stripe = fract((pixel.x + pixel.y) / 8.0) < 0.5;
-        return select(sphere.hatch_light.rgb, sphere.hatch_dark.rgb, stripe);
+        return hatch(pixel);
     }
     return srgb_encode(radiance);
+}
+
+fn hatch(pixel: vec2f) -> vec3f {
+    let stripe = fract((pixel.x + pixel.y) / 8.0) < 0.5;
+    return select(sphere.hatch_light.rgb, sphere.hatch_dark.rgb, stripe);
+}
+
+// How far the model is from the table, as a colour of the map; hatched as the table is, plain where no light is.
+fn compared(frame: mat3x3f, pixel: vec2f) -> vec3f {
+    let brdf = brdf_from_slots(sphere.brdf);
+    let wo = frame * VIEW;
+    var measured = vec3f(0.0);
+    var model = vec3f(0.0);
+    var unmeasured = false;
+    for (var k = 0u; k < sphere.light_count; k++) {
+        let wi = frame * sphere.lights[k].direction;
+        if wi.z <= 0.0 {
+            continue;
+        }
+        let value = lookup_table(table, sphere.smoothly == 1u, wi, wo);
+        unmeasured = unmeasured || value.a == 0.0;
+        let f_r = eval_brdf(brdf, cosines_from_directions(wi, wo));
+        let irradiance = wi.z * sphere.lights[k].irradiance;
+        measured += min(value.rgb, vec3f(1e15)) * irradiance;
+        model += min(f_r, vec3f(1e15)) * irradiance;
+    }
+    let place = sphere_error(luminance(measured), luminance(model));
+    if unmeasured {
+        return hatch(pixel);
+    }
+    if place < 0.0 {
+        return sphere.hatch_dark.rgb;
+    }
+    let x = place * 32.0;
+    let low = min(u32(x), 31u);
+    return mix(sphere.colors[low].rgb, sphere.colors[low + 1u].rgb, x - f32(low));
+}
+
+// Place on the colour map, in [0, 1]; negative where neither is lit. Twin of geom/sphere_error.rs.
+fn sphere_error(measured: f32, model: f32) -> f32 {
+    let no_light = sphere.comparison.w;
+    if max(measured, model) < no_light {
+        return -1.0;
+    }
+    let difference = abs(model - measured) / sphere.comparison.y;
+    let stops = log2(max(model, no_light)) - log2(max(measured, no_light));
+    let ratio = 0.5 + 0.5 * stops / sphere.comparison.z;
+    return clamp(select(difference, ratio, sphere.comparison.x == 1.0), 0.0, 1.0);
 }

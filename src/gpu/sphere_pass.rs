@@ -1,14 +1,12 @@
 //! The sphere pass: pipeline, uniform, draw.
 
 use super::shader;
-use super::sphere::{MAX_LIGHTS, SphereView, exposed_strength};
 use super::table_texture::TableTexture;
 use crate::brdf::Brdf;
 use crate::brdf::wgsl::{UNIFORM_SLOTS, uniform};
+use crate::geom::sphere::{HATCH, MAX_LIGHTS, SphereView, irradiance};
+use crate::geom::sphere_error::{DIFFERENCE_LIMIT, NO_LIGHT, RATIO_STOPS, SphereError};
 use crate::measured::lookup::Lookup;
-
-/// The two tones of the hatch on unmeasured directions, sRGB-encoded: visible on light and dark ground.
-const HATCH: [[f32; 4]; 2] = [[0.36, 0.36, 0.40, 1.0], [0.62, 0.62, 0.66, 1.0]];
 
 /// The uniform `Sphere` of `sphere.wgsl`, in its layout.
 #[repr(C)]
@@ -23,11 +21,16 @@ pub struct SphereUniform {
     radius_px: f32,
     hatch_dark: [f32; 4],
     hatch_light: [f32; 4],
+    comparison: [f32; 4],
+    colors: [[f32; 4]; COLORS],
 }
+
+/// Colours of a comparison, at even places from 0 to 1.
+pub const COLORS: usize = 33;
 
 impl SphereUniform {
     /// Name and offset of every member, for the test that holds them against the shader.
-    pub fn offsets() -> [(&'static str, usize); 8] {
+    pub fn offsets() -> [(&'static str, usize); 10] {
         use std::mem::offset_of;
         [
             ("brdf", offset_of!(Self, brdf)),
@@ -38,6 +41,8 @@ impl SphereUniform {
             ("radius_px", offset_of!(Self, radius_px)),
             ("hatch_dark", offset_of!(Self, hatch_dark)),
             ("hatch_light", offset_of!(Self, hatch_light)),
+            ("comparison", offset_of!(Self, comparison)),
+            ("colors", offset_of!(Self, colors)),
         ]
     }
 
@@ -46,7 +51,7 @@ impl SphereUniform {
         let mut lights = [[[0.0; 4]; 2]; MAX_LIGHTS];
         for (slot, light) in lights.iter_mut().zip(&view.lights) {
             let [x, y, z] = light.direction.as_vec3().to_array();
-            let [r, g, b] = exposed_strength(light, view.exposure_stops);
+            let [r, g, b] = irradiance(light, view.exposure_stops).map(|x| x as f32);
             *slot = [[x, y, z, 0.0], [r, g, b, 0.0]];
         }
         Self {
@@ -59,6 +64,23 @@ impl SphereUniform {
             radius_px: radius_px.max(1.0),
             hatch_dark: HATCH[0],
             hatch_light: HATCH[1],
+            comparison: [0.0, 1.0, 1.0, 1.0],
+            colors: [[0.0; 4]; COLORS],
+        }
+    }
+
+    /// The same for [`SpherePass::draw_compared`], with the sRGB colours of the map at even places from 0 to 1.
+    pub fn comparing(self, error: SphereError, colors: &[[u8; 3]; COLORS]) -> Self {
+        let kind = f32::from(u8::from(error == SphereError::Ratio));
+        Self {
+            comparison: [
+                kind,
+                DIFFERENCE_LIMIT as f32,
+                RATIO_STOPS as f32,
+                NO_LIGHT as f32,
+            ],
+            colors: colors.map(|[r, g, b]| [r, g, b, 255].map(|x| f32::from(x) / 255.0)),
+            ..self
         }
     }
 }
@@ -68,6 +90,7 @@ impl SphereUniform {
 pub struct SpherePass {
     measured: wgpu::RenderPipeline,
     model: wgpu::RenderPipeline,
+    compared: wgpu::RenderPipeline,
     layout: wgpu::BindGroupLayout,
 }
 
@@ -119,6 +142,7 @@ impl SpherePass {
         Self {
             measured: part("measured"),
             model: part("model"),
+            compared: part("compared"),
             layout,
         }
     }
@@ -160,6 +184,13 @@ impl SpherePass {
             pass.draw(0..4, 0..1);
         }
     }
+
+    /// Draws how far the model of a slot is from its table.
+    pub fn draw_compared(&self, pass: &mut wgpu::RenderPass<'_>, slot: &SphereSlot) {
+        pass.set_bind_group(0, &slot.bind_group, &[]);
+        pass.set_pipeline(&self.compared);
+        pass.draw(0..4, 0..1);
+    }
 }
 
 impl SphereSlot {
@@ -169,7 +200,7 @@ impl SphereSlot {
     }
 }
 
-/// The pipeline of one part of the sphere, `measured` or `model`.
+/// The pipeline of one part of the sphere, `measured` or `model`, or of their comparison, `compared`.
 fn create_pipeline(
     device: &wgpu::Device,
     module: &wgpu::ShaderModule,

@@ -2,6 +2,7 @@
 //!
 //! A cell is *invalid* if any channel is negative or not finite. An invalid cell has no value; it is never shown as 0.
 
+pub mod albedo;
 pub mod grid;
 pub mod lookup;
 pub mod merl;

@@ -7,7 +7,8 @@ use crate::brdf::MODELS;
 use crate::brdf::fresnel::{FRESNELS, Fresnel};
 use crate::figure::scale::RADIAL_SCALES;
 use crate::fit::WEIGHTS;
-use crate::gpu::sphere::LIGHT_PRESETS;
+use crate::geom::sphere::LIGHT_PRESETS;
+use crate::geom::sphere_error::SphereError;
 use crate::measured::samples::SAMPLES;
 use egui::{Key, KeyboardShortcut, Modifiers};
 
@@ -293,7 +294,7 @@ pub(super) fn entries() -> Vec<Entry> {
             "Colours of the window",
         );
     }
-    for row in &PANES {
+    for row in PANES {
         add(
             "View",
             "Tiles",
@@ -354,5 +355,11 @@ fn show_help(show: Show) -> &'static str {
         Show::Model => "Show the model on the sphere",
         Show::Split => "Show the data left of a line and the model right of it",
         Show::SideBySide => "Show two spheres",
+        Show::Error(SphereError::Difference) => {
+            "Show |model − measured| in colours beside the split sphere"
+        }
+        Show::Error(SphereError::Ratio) => {
+            "Show model / measured in colours beside the split sphere"
+        }
     }
 }

@@ -45,6 +45,8 @@ pub struct FitState {
     pub keep_optimal: bool,
     /// Answers to a [`Resolve`] with a smaller number are out of date.
     pub resolve_from: u64,
+    /// The [`Resolve`] of a model that was taken whole: its answer counts though ρ_d and k_s follow nothing.
+    pub resolve_taken: u64,
     /// Order of the table.
     pub sort: SortBy,
 }

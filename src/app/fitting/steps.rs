@@ -5,7 +5,7 @@ use crate::app::state::{CancelFlag, Level, MaterialId, Opened, State};
 use crate::app::tiles::Pane;
 use crate::app::update::{Task, edit, notify};
 use crate::brdf::{Brdf, Fresnel};
-use crate::fit::Variant;
+use crate::fit::{ProblemError, Variant};
 
 /// Changes the state.
 pub(in crate::app) fn apply(state: &mut State, msg: FitMsg) -> Vec<Task> {
@@ -57,13 +57,17 @@ pub(in crate::app) fn apply(state: &mut State, msg: FitMsg) -> Vec<Task> {
             material,
             as_step,
             result,
-        } if number >= state.fit.resolve_from && state.fit.keep_optimal => match result {
-            Ok(best) => take_amplitudes(state, material, &best, as_step),
-            Err(reason) => {
-                state.fit.keep_optimal = false;
-                notify(state, Level::Error, reason.to_string());
+        } if number >= state.fit.resolve_from && state.fit.keep_optimal
+            || number == state.fit.resolve_taken && is_still(state, material, &result) =>
+        {
+            match result {
+                Ok(best) => take_amplitudes(state, material, &best, as_step),
+                Err(reason) => {
+                    state.fit.keep_optimal = false;
+                    notify(state, Level::Error, reason.to_string());
+                }
             }
-        },
+        }
         FitMsg::Resolved { .. } => {}
     }
     Vec::new()
@@ -161,6 +165,10 @@ fn ask_for_amplitudes(state: &mut State, as_step: bool) -> Vec<Task> {
     if !state.fit.keep_optimal || state.current_run().is_some_and(Run::drives_model) {
         return Vec::new();
     }
+    resolve_now(state, as_step)
+}
+
+fn resolve_now(state: &mut State, as_step: bool) -> Vec<Task> {
     let number = state.fresh_id();
     let Some((material, opened)) = state
         .current()
@@ -178,9 +186,20 @@ fn ask_for_amplitudes(state: &mut State, as_step: bool) -> Vec<Task> {
     })]
 }
 
+/// Asks once for the best ρ_d and k_s of a model that was taken, whether they follow the sliders or not. The answer
+/// belongs to that edit.
+pub(in crate::app) fn resolve_taken(state: &mut State) -> Vec<Task> {
+    let tasks = resolve_now(state, false);
+    if let Some(Task::Resolve(resolve)) = tasks.first() {
+        state.fit.resolve_taken = resolve.number;
+    }
+    tasks
+}
+
 /// Answers that are on their way no longer count.
 pub(in crate::app) fn forget_resolves(state: &mut State) {
     state.fit.resolve_from = state.fresh_id();
+    state.fit.resolve_taken = 0;
 }
 
 fn end(state: &mut State, run: Run, outcomes: Vec<Timed>) {
@@ -230,6 +249,16 @@ fn set_model(state: &mut State, material: MaterialId, brdf: Brdf) {
         }
     });
     state.history.settle(&state.scene);
+}
+
+/// Whether a material still has the shape that the best ρ_d and k_s were found for.
+fn is_still(state: &State, material: MaterialId, found: &Result<Brdf, ProblemError>) -> bool {
+    let shape = |brdf: &Brdf| (brdf.params.s, brdf.params.alpha, brdf.params.eta);
+    let same = |best: &Brdf| {
+        let mut opened = state.scene.opened.iter();
+        opened.any(|opened| opened.id == material && shape(&opened.brdf) == shape(best))
+    };
+    found.as_ref().map_or(true, same)
 }
 
 /// Sets ρ_d and k_s, if the material still has that model.

@@ -1,8 +1,12 @@
 //! Controls that several tiles have.
 
+use crate::app::formula::number;
 use crate::app::paint;
+use crate::app::probe::Probe;
+use crate::app::state::State;
 use crate::figure::subject::{CHANNELS, Channel};
 use crate::figure::text::RichText;
+use crate::geom::Rgb;
 use std::ops::RangeInclusive;
 
 /// The choice of a channel; the new one where it changed.
@@ -18,10 +22,21 @@ pub fn choice_ui<T: Copy + PartialEq>(
     value: T,
     choices: &[(T, &str)],
 ) -> Option<T> {
+    sized_choice_ui(ui, name, value, choices, 92.0)
+}
+
+/// The same of a width in points.
+pub fn sized_choice_ui<T: Copy + PartialEq>(
+    ui: &mut egui::Ui,
+    name: &str,
+    value: T,
+    choices: &[(T, &str)],
+    width: f32,
+) -> Option<T> {
     let mut chosen = value;
     let shown = choices.iter().find(|(choice, _)| *choice == value);
     let menu = egui::ComboBox::from_id_salt(name)
-        .width(92.0)
+        .width(width)
         .selected_text(shown.map_or("", |(_, text)| *text));
     let menu = menu.show_ui(ui, |ui| {
         for (choice, text) in choices {
@@ -56,4 +71,25 @@ pub fn angle_ui(
     let response = ui.add(drag).on_hover_text(help);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, name));
     response.changed().then(|| degrees.to_radians())
+}
+
+/// What was measured and what the model gives at a probe, beside the pointer; `head` says where that is.
+pub fn values_tooltip(
+    response: &egui::Response,
+    state: &State,
+    probe: Probe,
+    channel: Channel,
+    head: &str,
+) {
+    let (measured, model) = state.values_at(probe);
+    response.clone().on_hover_ui_at_pointer(|ui| {
+        ui.label(format!("{head}, {}", channel.name()));
+        let text = |value: Option<Rgb>, none: &str| {
+            value.map_or(none.to_string(), |rgb| {
+                paint::plain(&number(channel.of(rgb)))
+            })
+        };
+        ui.label(format!("measured {}", text(measured, "not measured")));
+        ui.label(format!("model {}", text(model, "–")));
+    });
 }

@@ -3,7 +3,6 @@
 use super::controls;
 use super::legend::legend_ui;
 use crate::app::command::Command;
-use crate::app::formula::number;
 use crate::app::paint;
 use crate::app::probe::{self, Probe};
 use crate::app::state::{LobeTile, Scene, State};
@@ -13,7 +12,6 @@ use crate::figure::Point;
 use crate::figure::lobes::{LobePlot, LobeSpec};
 use crate::figure::palette::Palette;
 use crate::figure::scale::RADIAL_SCALES;
-use crate::geom::Rgb;
 use egui::{CursorIcon, PointerButton, Sense, Vec2};
 
 /// How near in points the pointer must be to a light's arrow to take it.
@@ -205,7 +203,9 @@ fn interact(
     let under = probe_at(tile, plot, point);
     probe::hover(state, under, out);
     if let Some(probe) = under {
-        value_tooltip(response, state, probe);
+        let theta_o = probe.signed_theta_o().to_degrees();
+        let head = format!("θo {theta_o:.1}°");
+        controls::values_tooltip(response, state, probe, tile.channel, &head);
     }
 }
 
@@ -213,20 +213,4 @@ fn interact(
 fn probe_at(tile: &LobeTile, plot: &LobePlot, point: Point) -> Option<Probe> {
     let theta_o = plot.frame.theta_o_at(point)?;
     Some(Probe::in_plane(*tile.theta_i.get(tile.active)?, theta_o))
-}
-
-fn value_tooltip(response: &egui::Response, state: &State, probe: Probe) {
-    let (measured, model) = state.values_at(probe);
-    let channel = state.scene.lobes.channel;
-    response.clone().on_hover_ui_at_pointer(|ui| {
-        let theta_o = probe.signed_theta_o().to_degrees();
-        ui.label(format!("θo {theta_o:.1}°, {}", channel.name()));
-        let text = |value: Option<Rgb>, none: &str| {
-            value.map_or(none.to_string(), |rgb| {
-                crate::app::paint::plain(&number(channel.of(rgb)))
-            })
-        };
-        ui.label(format!("measured {}", text(measured, "not measured")));
-        ui.label(format!("model {}", text(model, "–")));
-    });
 }

@@ -1,13 +1,24 @@
 //! The movable tiles in the middle: a row per view, and where they are.
 
+mod albedo;
 mod controls;
+mod error_map;
 mod fits;
+mod heat;
+mod image;
+mod landscape;
 mod legend;
+mod lobe3d;
+pub mod lobe3d_callback;
 mod lobes;
 mod panes;
 mod scatter;
+mod slices;
+mod slices_bar;
 mod sphere;
 pub mod sphere_callback;
+mod sphere_error;
+mod zoom;
 
 pub use panes::{PANES, Pane};
 
@@ -230,11 +241,11 @@ mod tests {
     #[test]
     fn a_closed_tile_comes_back_to_its_group_or_to_an_empty_window() {
         for mut tiles in [Tiles::default(), Tiles::none()] {
-            for row in &PANES {
+            for row in PANES {
                 tiles.show(row.pane);
             }
             assert!(PANES.iter().all(|row| tiles.is_open(row.pane)));
-            for row in &PANES {
+            for row in PANES {
                 tiles.toggle(row.pane);
             }
             assert!(!PANES.iter().any(|row| tiles.is_open(row.pane)));

@@ -1,6 +1,6 @@
 //! The kinds of tiles, as rows: name, help, and what draws them.
 
-use super::{fits, lobes, scatter, sphere};
+use super::{albedo, error_map, fits, image, landscape, lobe3d, lobes, scatter, slices, sphere};
 use crate::app::state::State;
 use crate::app::update::Msg;
 use serde::{Deserialize, Serialize};
@@ -12,7 +12,13 @@ pub enum Pane {
     Sphere,
     Fits,
     Scatter,
+    Landscape,
     Lobes,
+    Slices,
+    Albedo,
+    Lobe3d,
+    Image,
+    ErrorMap,
 }
 
 /// Which half of the default layout a tile is in.
@@ -41,7 +47,7 @@ pub struct Row {
 }
 
 /// All kinds of tiles in the order of their tabs.
-pub const PANES: [Row; 4] = [
+pub const PANES: &[Row] = &[
     Row {
         pane: Pane::Sphere,
         key: "sphere",
@@ -82,6 +88,18 @@ pub const PANES: [Row; 4] = [
         ui: scatter::scatter_ui,
     },
     Row {
+        pane: Pane::Landscape,
+        key: "landscape",
+        name: "Error landscape",
+        help: [
+            "The least E that the combined model has at each s and α, with ρd and ks solved there; below is Phong, above Blinn-Phong.",
+            "Line: the way of the last fit from its ring. Dot: the sliders. Diamond: the best. E is estimated on some of the cells.",
+            "A click takes what is under the pointer. Drag moves, the wheel zooms, double click shows all.",
+        ],
+        home: Home::Upper,
+        ui: landscape::landscape_ui,
+    },
+    Row {
         pane: Pane::Lobes,
         key: "lobes",
         name: "Polar lobes",
@@ -92,6 +110,66 @@ pub const PANES: [Row; 4] = [
         ],
         home: Home::Lower,
         ui: lobes::lobes_ui,
+    },
+    Row {
+        pane: Pane::Slices,
+        key: "slices",
+        name: "Slices",
+        help: [
+            "f_r over one angle with the others fixed, and what is between model and measurement below.",
+            "The wheel zooms the angle, over the numbers at the left or with Ctrl the values; drag to pan, double click resets.",
+            "Point to read values, click to pin. \"Follow probe\" takes the fixed angles from the other views.",
+        ],
+        home: Home::Lower,
+        ui: slices::slices_ui,
+    },
+    Row {
+        pane: Pane::Albedo,
+        key: "albedo",
+        name: "Albedo",
+        help: [
+            "The share of the light from one angle that comes back, over all view directions; more than 1 is marked.",
+            "Of a measurement it is the sum over what was measured; the dotted line says which share that is.",
+            "Point to read values, click to pin. The wheel zooms, double click resets.",
+        ],
+        home: Home::Lower,
+        ui: albedo::albedo_ui,
+    },
+    Row {
+        pane: Pane::Lobe3d,
+        key: "lobe3d",
+        name: "3D lobe",
+        help: [
+            "f_r over all view directions for one angle of incidence: data as a solid, models as wire.",
+            "Drag to turn it, wheel to zoom, double click puts the view back.",
+            "The light is that of the probe. Point at the lobe to read values, click to pin.",
+        ],
+        home: Home::Lower,
+        ui: lobe3d::lobe3d_ui,
+    },
+    Row {
+        pane: Pane::Image,
+        key: "image",
+        name: "Image slice",
+        help: [
+            "f_r over half and difference angle at one φd, cell by cell: data, model, residual or ratio.",
+            "Hatched was not measured, blank is below the horizon; past the dashed line light or view is beyond 80°.",
+            "Point to read values, click to pin. Drag moves, the wheel zooms, double click shows all.",
+        ],
+        home: Home::Lower,
+        ui: image::image_ui,
+    },
+    Row {
+        pane: Pane::ErrorMap,
+        key: "error-map",
+        name: "Error map",
+        help: [
+            "Where the E of the model comes from: its share in each direction, with the weight and limit of the fit.",
+            "The shares add up to all of E. Swapped light and view are the same, so each counts half.",
+            "Point to read shares, click to pin. Drag moves, the wheel zooms, double click shows all.",
+        ],
+        home: Home::Lower,
+        ui: error_map::error_map_ui,
     },
 ];
 

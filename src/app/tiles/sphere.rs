@@ -1,13 +1,14 @@
 //! The live-shaded sphere: data, model, both split by a line, or side by side.
 
 use super::sphere_callback::{self, Half};
+use super::sphere_error;
 use crate::app::command::Command;
 use crate::app::panels::dialogs;
 use crate::app::probe::{self, Probe};
 use crate::app::state::{SHOWS, Show, SphereTile, State};
 use crate::app::update::Msg;
 use crate::geom::HalfDiff;
-use crate::gpu::sphere::{
+use crate::geom::sphere::{
     LIGHT_PRESETS, highlight_of, light_for_highlight_at, local_directions, point_of,
 };
 use egui::{Align2, Color32, CursorIcon, FontId, Pos2, Rect, Sense, Stroke, Vec2, pos2, vec2};
@@ -34,11 +35,14 @@ pub fn sphere_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
     for sphere in &spheres {
         sphere_callback::paint(ui.painter(), sphere, state, material, opened);
     }
-    if let Some(split_x) = split_line(&spheres[0], tile) {
+    if let Some(split_x) = split_line(&spheres[0]) {
         draw_split(ui, &spheres[0], split_x);
     }
     for sphere in &spheres {
-        caption(ui, sphere, tile.show);
+        caption(ui, sphere);
+    }
+    if let Show::Error(error) = tile.show {
+        sphere_error::bar(ui, rect, &spheres[1], error, tile.view.exposure_stops);
     }
     if let Some(text) = state.loading() {
         let (at, weak) = (
@@ -135,12 +139,20 @@ fn layout(rect: Rect, tile: &SphereTile) -> Vec<OnScreen> {
             let (left, right) = rect.split_left_right_at_fraction(0.5);
             vec![square(left, Half::Measured), square(right, Half::Model)]
         }
+        Show::Error(error) => {
+            let rect = sphere_error::beside_bar(rect);
+            let (left, right) = rect.split_left_right_at_fraction(0.5);
+            let split = square(left, Half::Split(tile.split));
+            vec![split, square(right, Half::Error(error))]
+        }
     }
 }
 
-fn split_line(sphere: &OnScreen, tile: &SphereTile) -> Option<f32> {
-    (tile.show == Show::Split)
-        .then(|| sphere.rect.center().x + 0.5 * sphere.rect.width() * tile.split as f32)
+fn split_line(sphere: &OnScreen) -> Option<f32> {
+    let Half::Split(split) = sphere.half else {
+        return None;
+    };
+    Some(sphere.rect.center().x + 0.5 * sphere.rect.width() * split as f32)
 }
 
 fn draw_split(ui: &egui::Ui, sphere: &OnScreen, x: f32) {
@@ -161,21 +173,21 @@ fn draw_split(ui: &egui::Ui, sphere: &OnScreen, x: f32) {
     );
 }
 
-fn caption(ui: &egui::Ui, sphere: &OnScreen, show: Show) {
+fn caption(ui: &egui::Ui, sphere: &OnScreen) {
     let put = |at: Pos2, align: Align2, text: &str| {
         let color: Color32 = ui.visuals().weak_text_color();
         ui.painter()
             .text(at, align, text, FontId::proportional(13.0), color);
     };
     let rect = sphere.rect;
-    match (show, sphere.half) {
-        (Show::Split, _) => {
+    match sphere.half {
+        Half::Split(_) => {
             put(rect.left_top(), Align2::LEFT_TOP, "measured");
             put(rect.right_top(), Align2::RIGHT_TOP, "model");
         }
-        (_, Half::Measured) => put(rect.left_top(), Align2::LEFT_TOP, "measured"),
-        (_, Half::Model) => put(rect.left_top(), Align2::LEFT_TOP, "model"),
-        (_, Half::Split(_)) => {}
+        Half::Measured => put(rect.left_top(), Align2::LEFT_TOP, "measured"),
+        Half::Model => put(rect.left_top(), Align2::LEFT_TOP, "model"),
+        Half::Error(_) => {}
     }
 }
 
@@ -242,7 +254,7 @@ fn interact(
         return;
     };
     let on_split = |at: Pos2| {
-        split_line(sphere, tile)
+        split_line(sphere)
             .is_some_and(|x| (at.x - x).abs() < GRAB && sphere.rect.y_range().contains(at.y))
     };
     let (x, y) = sphere.unit(pointer);

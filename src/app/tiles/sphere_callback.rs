@@ -1,8 +1,10 @@
 //! The sphere pass inside egui's picture: a paint callback, and what it keeps on the GPU between frames.
 
 use super::sphere::OnScreen;
+use super::sphere_error;
 use crate::app::library::Presence;
 use crate::app::state::{Material, MaterialId, Opened, State};
+use crate::geom::sphere_error::SphereError;
 use crate::gpu::sphere_pass::{SpherePass, SphereSlot, SphereUniform};
 use crate::gpu::table_texture::TableTexture;
 use crate::measured::Table;
@@ -26,13 +28,15 @@ pub enum Half {
     Model,
     /// Data left of a line at this place in units of the radius, model right of it.
     Split(f64),
+    /// How far the model is from the data.
+    Error(SphereError),
 }
 
 impl Half {
     /// The place of the line, far outside where there is only one.
     fn split(self) -> f64 {
         match self {
-            Self::Measured => 2.0,
+            Self::Measured | Self::Error(_) => 2.0,
             Self::Model => -2.0,
             Self::Split(at) => at,
         }
@@ -71,12 +75,17 @@ pub fn paint(
         sphere.half.split(),
         radius_px,
     );
+    let (uniform, compared) = match sphere.half {
+        Half::Error(error) => (uniform.comparing(error, &sphere_error::colors(error)), true),
+        _ => (uniform, false),
+    };
     let callback = SphereCallback {
         // Two spheres are told apart by what they show. Without data all are the same.
         key: (
             (material.table.valid_count() > 0).then_some(opened.id),
-            matches!(sphere.half, Half::Model),
+            matches!(sphere.half, Half::Model) || compared,
         ),
+        compared,
         table: Arc::clone(&material.table),
         kept: kept(state),
         uniform,
@@ -109,6 +118,7 @@ struct Kept {
 
 struct SphereCallback {
     key: Key,
+    compared: bool,
     table: Arc<Table>,
     kept: Vec<Option<MaterialId>>,
     uniform: SphereUniform,
@@ -155,7 +165,11 @@ impl CallbackTrait for SphereCallback {
         if let Some(kept) = resources.get::<Kept>()
             && let Some(slot) = kept.slots.get(&self.key)
         {
-            kept.pass.draw(pass, slot);
+            if self.compared {
+                kept.pass.draw_compared(pass, slot);
+            } else {
+                kept.pass.draw(pass, slot);
+            }
         }
     }
 }

@@ -7,6 +7,7 @@ use crate::figure::drawing::{Anchor, Drawing, Item, Point};
 use crate::figure::legend::{self, LegendEntry};
 use crate::figure::mark::{Mark, probe_dot};
 use crate::figure::palette::{Ink, Role};
+use crate::figure::polyline::{self, thinned};
 use crate::figure::subject::Subject;
 use crate::figure::text::RichText;
 
@@ -83,68 +84,11 @@ fn lobe(sheet: &mut Sheet, trace: &Trace, subject: &Subject, active: bool) {
 
 /// The pieces of a trace between gaps, inside the rim.
 fn runs(frame: &LobeFrame, trace: &Trace) -> Vec<Vec<Point>> {
-    let (mut runs, mut run) = (Vec::new(), Vec::new());
-    let mut last: Option<(f64, f64)> = None;
-    for sample in &trace.samples {
-        let next = sample
-            .value
-            .map(|value| (sample.theta_o, frame.axis.position(value)));
-        // Where the curve leaves or enters the rim, on it.
-        if let (Some(a), Some(b)) = (last, next)
-            && (a.1 > 1.0) != (b.1 > 1.0)
-        {
-            let t = (1.0 - a.1) / (b.1 - a.1);
-            run.push(frame.at(a.0 + t * (b.0 - a.0), 1.0));
-        }
-        match next {
-            Some((theta_o, position)) if position <= 1.0 => run.push(frame.at(theta_o, position)),
-            _ => runs.push(std::mem::take(&mut run)),
-        }
-        last = next;
-    }
-    runs.push(run);
-    runs.retain(|run| !run.is_empty());
-    runs
-}
-
-/// Farthest that a thinned curve may be from the samples it leaves out, in points.
-const THINNING: f32 = 0.02;
-
-/// Without the points that lie on the line between their neighbours [Douglas and Peucker].
-fn thinned(points: Vec<Point>) -> Vec<Point> {
-    if points.len() < 3 {
-        return points;
-    }
-    let mut kept = vec![false; points.len()];
-    let mut spans = vec![(0, points.len() - 1)];
-    while let Some((first, last)) = spans.pop() {
-        (kept[first], kept[last]) = (true, true);
-        let farthest = (first + 1..last)
-            .map(|k| (k, off_segment(points[k], points[first], points[last])))
-            .max_by(|a, b| a.1.total_cmp(&b.1));
-        if let Some((k, off)) = farthest
-            && off > THINNING
-        {
-            spans.extend([(first, k), (k, last)]);
-        }
-    }
-    let mut kept = kept.into_iter();
-    let mut points = points;
-    points.retain(|_| kept.next().unwrap_or(true));
-    points
-}
-
-/// Distance of a point from a segment.
-pub(super) fn off_segment(p: Point, a: Point, b: Point) -> f32 {
-    let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
-    let (px, py) = (p[0] - a[0], p[1] - a[1]);
-    let length_squared = dx * dx + dy * dy;
-    let t = if length_squared > 0.0 {
-        ((px * dx + py * dy) / length_squared).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
-    (px - t * dx).hypot(py - t * dy)
+    let samples = trace
+        .samples
+        .iter()
+        .map(|sample| (sample.x, sample.value.map(|x| frame.axis.position(x))));
+    polyline::runs(samples, |theta_o, position| frame.at(theta_o, position))
 }
 
 /// Where the probe meets the active lobes.

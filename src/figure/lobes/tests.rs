@@ -1,7 +1,7 @@
-use super::draw::off_segment;
 use super::*;
 use crate::figure::drawing::Item;
 use crate::figure::palette::Role;
+use crate::figure::polyline::off_segment;
 use crate::figure::scale::RADIAL_SCALES;
 use crate::figure::subject::{CHANNELS, Look, Source};
 use crate::geom::Cosines;
@@ -329,6 +329,7 @@ fn every_size_is_drawn_with_finite_numbers() {
                     Item::Line { points, .. } | Item::Fill { points, .. } => points.clone(),
                     Item::Dot { center, .. } => vec![*center],
                     Item::Text(label) => vec![label.pos],
+                    Item::Image { min, max, .. } => vec![*min, *max],
                 };
                 assert!(points.iter().flatten().all(|x| x.is_finite()));
             }

@@ -93,3 +93,118 @@ fn scales_are_found_by_key() {
     }
     assert_eq!(RadialScale::by_key("sqrt"), None);
 }
+
+fn marks(scale: RadialScale, low: f64, high: f64, length: f32) -> (Vec<String>, usize) {
+    let steps = if high == 90.0 {
+        Steps::Degrees
+    } else {
+        Steps::Decimal
+    };
+    let marks = Axis::between(scale, low, high).marks(length, 40.0, steps);
+    let labels = marks.major.iter().map(|tick| tick.label.plain());
+    (labels.collect(), marks.minor.len())
+}
+
+#[test]
+fn straight_axes_have_round_marks_and_smaller_ones_between() {
+    let linear = |low, high, length| marks(RadialScale::Linear, low, high, length).0;
+    assert_eq!(
+        marks(RadialScale::Linear, -90.0, 90.0, 300.0),
+        (
+            vec!["−90", "−60", "−30", "0", "30", "60", "90"]
+                .into_iter()
+                .map(String::from)
+                .collect(),
+            12
+        )
+    );
+    assert_eq!(
+        linear(0.0, 1.0, 200.0),
+        ["0", "0.2", "0.4", "0.6", "0.8", "1.0"]
+    );
+    assert_eq!(
+        linear(45.001, 45.0032, 160.0),
+        ["45.001", "45.002", "45.003"]
+    );
+    assert_eq!(linear(-0.3, 0.3, 120.0), ["−0.2", "0", "0.2"]);
+    let (log, minor) = marks(RadialScale::Log, 1e-2, 1e3, 400.0);
+    assert_eq!(log, ["10−2", "10−1", "1", "10", "100", "103"]);
+    assert_eq!(minor, 40, "2 to 9 in five decades");
+    assert_eq!(
+        marks(RadialScale::Log, 1e-6, 1e6, 200.0).0,
+        ["10−6", "10−3", "1", "103", "106"]
+    );
+    assert_eq!(
+        marks(RadialScale::Log, 0.5, 60.0, 300.0).0,
+        ["0.5", "1", "2", "5", "10", "20", "50"]
+    );
+    // Too little of a decade for its digits.
+    assert_eq!(
+        marks(RadialScale::Log, 2.2, 2.8, 160.0).0,
+        ["2.2", "2.4", "2.6", "2.8"]
+    );
+    let cubic = marks(RadialScale::CubeRoot, -8.0, 8.0, 200.0).0;
+    assert_eq!(cubic, ["−5", "0", "5"]);
+}
+
+#[test]
+fn marks_stand_where_their_values_are() {
+    let worst = |planted: f64| -> f64 {
+        let mut worst: f64 = 0.0;
+        for scale in RADIAL_SCALES {
+            for (low, high) in [(0.013, 4.0), (2.0, 2.5), (0.5, 7e5)] {
+                let axis = Axis::between(scale, low, high);
+                let marks = axis.marks(500.0, 30.0, Steps::Decimal);
+                assert!(marks.major.len() >= 2, "{scale:?} {low} {high}");
+                for tick in marks.major {
+                    let back = axis.value(tick.position + planted);
+                    worst = worst.max((back / tick.value - 1.0).abs());
+                }
+                assert!(marks.minor.iter().all(|p| (0.0..=1.0).contains(p)));
+            }
+        }
+        worst
+    };
+    assert!(worst(0.0) < 1e-9, "{}", worst(0.0));
+    assert!(worst(1e-3) > 1e-9);
+}
+
+#[test]
+fn axes_between_any_ends_are_sound() {
+    for scale in RADIAL_SCALES {
+        for (low, high) in [
+            (1.0, 1.0),
+            (5.0, 2.0),
+            (f64::NAN, f64::INFINITY),
+            (-3.0, -2.0),
+            (0.0, 0.0),
+            (1e300, 1e-300),
+        ] {
+            let axis = Axis::between(scale, low, high);
+            assert!(axis.floor < axis.limit, "{axis:?}");
+            for length in [0.0, 1.0, 500.0] {
+                let marks = axis.marks(length, 20.0, Steps::Decimal);
+                assert!(marks.major.len() < 400);
+                assert!(marks.major.iter().all(|tick| tick.position.is_finite()));
+            }
+        }
+    }
+}
+
+#[test]
+fn zooming_keeps_what_is_under_the_pointer() {
+    for scale in RADIAL_SCALES {
+        let axis = Axis::between(scale, 0.5, 80.0);
+        let value = axis.value(0.3);
+        for factor in [0.5, 1.0, 3.0] {
+            let [low, high] = axis.zoomed(0.3, factor);
+            let part = Axis::between(scale, low.max(1e-3), high);
+            if low > 1e-3 {
+                assert!((part.share(value) - 0.3).abs() < 1e-9, "{scale:?} {factor}");
+            }
+        }
+        let [low, high] = axis.moved(0.1);
+        let part = Axis::between(scale, low, high);
+        assert!((part.share(value) - 0.2).abs() < 1e-9);
+    }
+}

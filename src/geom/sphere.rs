@@ -3,7 +3,7 @@
 //! View space: x to the right, y up, z to the viewer, who looks from infinitely far. The sphere fills the square
 //! [−1, 1]²; a point of the picture is given in these units.
 
-use crate::geom::{HalfDiff, Rgb};
+use super::{HalfDiff, Rgb};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -149,16 +149,19 @@ pub fn highlight_of(light: &Light) -> (f64, f64) {
     (n.x, n.y)
 }
 
-/// The irradiance factor on the exposed picture.
-pub(super) fn exposed_strength(light: &Light, exposure_stops: f64) -> [f32; 3] {
+/// Irradiance of a light that a surface faces, on the exposed picture.
+pub fn irradiance(light: &Light, exposure_stops: f64) -> Rgb {
     let gain = PI * exposure_stops.exp2();
-    light.strength.map(|strength| (gain * strength) as f32)
+    light.strength.map(|strength| gain * strength)
 }
+
+/// The two tones of the hatch on unmeasured directions, sRGB-encoded: visible on light and dark ground.
+pub const HATCH: [[f32; 4]; 2] = [[0.36, 0.36, 0.40, 1.0], [0.62, 0.62, 0.66, 1.0]];
 
 #[cfg(test)]
 mod tests {
+    use super::super::half_diff::half_vector;
     use super::*;
-    use crate::geom::half_diff::half_vector;
     use proptest::prelude::*;
 
     proptest! {

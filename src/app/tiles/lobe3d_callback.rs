@@ -1,0 +1,222 @@
+//! The lobes in space inside egui's picture: a paint callback, and what it keeps on the GPU between frames.
+
+use crate::figure::lobe3d::{Lobes, Projection, ground};
+use crate::figure::palette::{Ink, Palette, Role};
+use crate::gpu::lobe3d_pass::{
+    FlatVertex, LinePiece, SolidVertex, SpacePass, SpacePicture, SpaceScene, SpaceView,
+};
+use eframe::egui_wgpu::{
+    Callback, CallbackResources, CallbackTrait, RenderState, ScreenDescriptor,
+};
+use eframe::wgpu;
+use egui::{PaintCallbackInfo, Rect};
+use glam::DVec3;
+use std::sync::Arc;
+
+/// Width in points of the wire of a model.
+const WIRE: f32 = 1.2;
+/// How much of the wire is left behind a solid.
+const WIRE_BEHIND: f32 = 0.22;
+
+/// Prepares the renderer, once. Pipelines are compiled when the tile is first seen.
+pub fn install(render_state: &RenderState) {
+    let kept = Kept {
+        format: render_state.target_format,
+        pass: None,
+        picture: None,
+    };
+    render_state
+        .renderer
+        .write()
+        .callback_resources
+        .insert(kept);
+}
+
+/// Adds the lobes to the picture.
+pub fn paint(
+    ui: &egui::Ui,
+    rect: Rect,
+    lobes: &Arc<Lobes>,
+    wo: Option<DVec3>,
+    projection: &Projection,
+    palette: &Palette,
+) {
+    let density = ui.ctx().pixels_per_point();
+    let [width, height] = [rect.width(), rect.height()];
+    let pixels = |points: f32| (points * density).round().clamp(1.0, 8192.0) as u32;
+    let in_px = |points: f32| f64::from(points * density);
+    let view = SpaceView {
+        rotation: projection.camera.rotation,
+        center: projection.camera.center,
+        offset_px: [
+            in_px(projection.middle[0] - 0.5 * width),
+            in_px(projection.middle[1] - 0.5 * height),
+        ],
+        scale_px: projection.scale * f64::from(density),
+        size_px: [pixels(width), pixels(height)],
+        density,
+    };
+    let scene = scene_of(ui, lobes, wo, palette);
+    let callback = Lobe3dCallback { scene, view };
+    ui.painter()
+        .add(Callback::new_paint_callback(rect, callback));
+}
+
+/// What a scene was made from, and the scene.
+#[derive(Clone)]
+struct Made {
+    lobes: Arc<Lobes>,
+    wo: Option<DVec3>,
+    palette: Palette,
+    scene: Arc<SpaceScene>,
+}
+
+/// The scene, made again where an input has changed.
+fn scene_of(
+    ui: &egui::Ui,
+    lobes: &Arc<Lobes>,
+    wo: Option<DVec3>,
+    palette: &Palette,
+) -> Arc<SpaceScene> {
+    let id = ui.scope_id().with("scene");
+    let made: Option<Made> = ui.data(|data| data.get_temp(id));
+    if let Some(made) = made
+        && Arc::ptr_eq(&made.lobes, lobes)
+        && made.wo == wo
+        && made.palette == *palette
+    {
+        return made.scene;
+    }
+    let scene = Arc::new(scene(lobes, wo, palette));
+    let made = Made {
+        lobes: Arc::clone(lobes),
+        wo,
+        palette: *palette,
+        scene: Arc::clone(&scene),
+    };
+    ui.data_mut(|data| data.insert_temp(id, made));
+    scene
+}
+
+fn scene(lobes: &Lobes, wo: Option<DVec3>, palette: &Palette) -> SpaceScene {
+    let mut scene = SpaceScene::default();
+    let (fills, lines) = ground(lobes, wo);
+    for fill in &fills {
+        let color = palette.resolve(fill.ink);
+        let corner = |p: DVec3| FlatVertex {
+            position: p.as_vec3().to_array(),
+            color,
+        };
+        for pair in fill.points.windows(2).skip(1) {
+            scene
+                .flat
+                .extend([fill.points[0], pair[0], pair[1]].map(corner));
+        }
+    }
+    for line in &lines {
+        let color = palette.resolve(line.ink);
+        add_line(&mut scene, &line.points, line.width, line.behind, color);
+    }
+    for lobe in &lobes.list {
+        let Some(mesh) = &lobe.mesh else {
+            continue;
+        };
+        let color = palette.resolve(Ink::from(Role::Series(lobe.subject.series)));
+        if !lobe.is_solid() {
+            let color = wire_color(color, palette.color(Role::Foreground));
+            for points in mesh.wire() {
+                add_line(&mut scene, &points, WIRE, WIRE_BEHIND, color);
+            }
+            continue;
+        }
+        let first = scene.solid.len() as u32;
+        let corners = mesh.positions.iter().zip(&mesh.normals);
+        scene
+            .solid
+            .extend(corners.map(|(position, normal)| SolidVertex {
+                position: position.as_vec3().to_array(),
+                normal: normal.as_vec3().to_array(),
+                color,
+            }));
+        let corners = mesh.triangles.iter().flatten();
+        scene.triangles.extend(corners.map(|index| first + index));
+    }
+    scene
+}
+
+/// A model has the colour of its material: on the solid it is seen by being nearer to the colour of text.
+fn wire_color(series: [u8; 4], text: [u8; 3]) -> [u8; 4] {
+    let [r, g, b, opacity] = series;
+    let mixed = [(r, text[0]), (g, text[1]), (b, text[2])]
+        .map(|(own, text)| (u16::from(own) + u16::from(text)).div_ceil(2) as u8);
+    [mixed[0], mixed[1], mixed[2], opacity]
+}
+
+fn add_line(scene: &mut SpaceScene, points: &[DVec3], width: f32, behind: f32, color: [u8; 4]) {
+    scene.lines.extend(points.windows(2).map(|pair| LinePiece {
+        start: pair[0].as_vec3().to_array(),
+        width,
+        end: pair[1].as_vec3().to_array(),
+        behind,
+        color,
+    }));
+}
+
+/// What stays on the GPU.
+struct Kept {
+    format: wgpu::TextureFormat,
+    pass: Option<SpacePass>,
+    picture: Option<(Arc<SpaceScene>, SpacePicture)>,
+}
+
+struct Lobe3dCallback {
+    scene: Arc<SpaceScene>,
+    view: SpaceView,
+}
+
+impl CallbackTrait for Lobe3dCallback {
+    fn prepare(
+        &self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        _screen: &ScreenDescriptor,
+        encoder: &mut wgpu::CommandEncoder,
+        resources: &mut CallbackResources,
+    ) -> Vec<wgpu::CommandBuffer> {
+        let Some(kept) = resources.get_mut::<Kept>() else {
+            return Vec::new();
+        };
+        let pass = kept
+            .pass
+            .get_or_insert_with(|| SpacePass::new(device, kept.format));
+        let mut picture = match kept.picture.take() {
+            Some((scene, picture)) if Arc::ptr_eq(&scene, &self.scene) => picture,
+            before => {
+                let mut picture = pass.picture(device, &self.scene);
+                if let Some((_, before)) = before {
+                    picture.inherit(before);
+                }
+                picture
+            }
+        };
+        pass.render(device, queue, encoder, &mut picture, &self.view);
+        kept.picture = Some((Arc::clone(&self.scene), picture));
+        Vec::new()
+    }
+
+    fn paint(
+        &self,
+        _info: PaintCallbackInfo,
+        pass: &mut wgpu::RenderPass<'static>,
+        resources: &CallbackResources,
+    ) {
+        if let Some(Kept {
+            pass: Some(space),
+            picture: Some((_, picture)),
+            ..
+        }) = resources.get::<Kept>()
+        {
+            space.blit(pass, picture);
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! What the error landscape is set to show, and the job behind it.
+
+use super::background::{Data, in_background};
+use crate::app::derived::{Derived, Slot, Step, Wish};
+use crate::app::state::State;
+use crate::brdf::{Brdf, Fresnel};
+use crate::figure::heatmap::View;
+use crate::fit::landscape::{self, Eta, Landscape, Word, landscape};
+use crate::fit::{Problem, ProblemError, Progress, Weight};
+use std::ops::ControlFlow;
+
+/// What the tile of the error landscape is set to.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LandscapeView {
+    /// Whether η is the best one at each point instead of the slider's.
+    pub solve_eta: bool,
+    /// The part in sight.
+    pub view: View,
+}
+
+/// The best E of the combined model over (s, α).
+#[derive(Clone, Debug, PartialEq)]
+pub struct LandscapeWish {
+    /// The material.
+    pub data: Data,
+    /// How much a cell counts.
+    pub weight: Weight,
+    /// Grazing limit in radians.
+    pub limit: f64,
+    /// The factor on the specular term.
+    pub fresnel: Fresnel,
+    /// What becomes of η.
+    pub eta: Eta,
+}
+
+impl LandscapeWish {
+    /// For the shown material and the model over it. A fit under way moves η with every word: the wish stays with
+    /// where the sliders stood.
+    pub fn of(state: &State) -> Option<Self> {
+        let (material, _) = state.current()?;
+        let brdf = state.scene.opened.get(state.scene.selected)?.brdf;
+        let settings = &state.fit.settings;
+        let eta = match brdf.fresnel {
+            // It does not matter, and must not make a difference.
+            Fresnel::None => Eta::Fixed(1.0),
+            _ if state.scene.landscape.solve_eta => Eta::Solved,
+            _ => Eta::Fixed(brdf.params.eta),
+        };
+        Some(Self {
+            data: Data(material.table.clone()),
+            weight: settings.weight,
+            limit: settings.limit,
+            fresnel: brdf.fresnel,
+            eta,
+        })
+    }
+}
+
+impl Wish for LandscapeWish {
+    type Made = Result<Landscape, ProblemError>;
+    const ENDS_FIRST: bool = false;
+
+    fn slot(derived: &mut Derived) -> &mut Slot<Self> {
+        &mut derived.landscape
+    }
+
+    fn make(
+        &self,
+        follow: &mut dyn FnMut(Step<Self::Made>) -> ControlFlow<()>,
+    ) -> Option<Self::Made> {
+        let problem = match in_background(|| Problem::new(&self.data.0, self.weight, self.limit)) {
+            Ok(problem) => problem,
+            Err(error) => return Some(Err(error)),
+        };
+        let mut say = |word| {
+            follow(match word {
+                Word::Progress(share) => Step::Progress(share),
+                Word::Grid(grid) => Step::Part(Ok(grid)),
+            })
+        };
+        landscape(&problem, self.fresnel, self.eta, &mut say).map(Ok)
+    }
+}
+
+/// Where a model is on the axes of the landscape: (s, α) of the combined model that it is, or that looks most like it.
+pub fn place(brdf: &Brdf) -> [f64; 2] {
+    let params = brdf.with_model(landscape::model()).params;
+    [params.s, params.alpha]
+}
+
+/// Corners of a path at most.
+const MOST: usize = 400;
+
+/// The way of the fit under way, or of the last one of the shown model, from its start to its end.
+pub fn path(state: &State) -> Vec<[f64; 2]> {
+    let heard: &[Progress] = match state.current_run().and_then(|run| run.current_part()) {
+        Some(part) => &part.heard,
+        None => state.current_fit().map_or(&[], |fit| &fit.trace),
+    };
+    let step = heard.len().div_ceil(MOST).max(1);
+    let kept = heard.iter().step_by(step).chain(heard.last());
+    let mut path: Vec<[f64; 2]> = kept.map(|progress| place(&progress.brdf)).collect();
+    path.dedup();
+    path
+}

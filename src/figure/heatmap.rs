@@ -1,0 +1,187 @@
+//! Values over two axes as colours: cells, a colour bar, what has no value, and marks over them.
+//!
+//! ```text
+//! Field (edges, cells) + HeatSpec (axes, colours, view, marks) ── HeatMap::new ──▶ Drawing and HeatFrame
+//! ```
+
+mod colors;
+mod draw;
+mod frame;
+mod hatch;
+mod layout;
+mod raster;
+mod side;
+
+pub use colors::ColorScale;
+pub use frame::{HeatFrame, View};
+pub use side::{Law, Side};
+
+use super::drawing::Drawing;
+use super::mark::Mark;
+
+/// What a cell has.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cell {
+    /// A value, shown as a colour.
+    Value(f64),
+    /// It should have one and has none: hatched.
+    Missing,
+    /// There is nothing to have: left blank.
+    Outside,
+}
+
+impl Cell {
+    /// The value; `None` where there is none.
+    pub fn value(self) -> Option<f64> {
+        match self {
+            Self::Value(value) => Some(value),
+            Self::Missing | Self::Outside => None,
+        }
+    }
+}
+
+/// Cells between edges, in the units of the axes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Field {
+    /// Edges of the columns, ascending; one more than there are columns.
+    pub x: Vec<f64>,
+    /// Edges of the rows, ascending; one more than there are rows.
+    pub y: Vec<f64>,
+    /// Row by row, from the smallest y.
+    pub cells: Vec<Cell>,
+}
+
+impl Field {
+    /// A field with a cell for every pair of column and row.
+    pub fn new(x: Vec<f64>, y: Vec<f64>, cell: impl Fn(usize, usize) -> Cell) -> Self {
+        let (columns, rows) = (x.len().saturating_sub(1), y.len().saturating_sub(1));
+        let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
+        let cells = cells.map(|(column, row)| cell(column, row)).collect();
+        Self { x, y, cells }
+    }
+
+    /// Number of columns.
+    pub fn columns(&self) -> usize {
+        self.x.len().saturating_sub(1)
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.y.len().saturating_sub(1)
+    }
+
+    /// The cell of a column and a row.
+    pub fn cell(&self, column: usize, row: usize) -> Cell {
+        self.cells[column + self.columns() * row]
+    }
+
+    /// Column and row of the cell that holds a place; the last ones hold their far edges too.
+    pub fn find(&self, [x, y]: [f64; 2]) -> Option<(usize, usize)> {
+        Some((position(&self.x, x)?, position(&self.y, y)?))
+    }
+
+    /// All values.
+    pub fn values(&self) -> impl Iterator<Item = f64> {
+        self.cells.iter().filter_map(|cell| cell.value())
+    }
+}
+
+/// The interval of `edges` that holds `at`.
+fn position(edges: &[f64], at: f64) -> Option<usize> {
+    let (first, last) = (edges.first()?, edges.last()?);
+    if !(*first..=*last).contains(&at) || edges.len() < 2 {
+        return None;
+    }
+    let after = edges.partition_point(|edge| *edge <= at);
+    Some(after.saturating_sub(1).min(edges.len() - 2))
+}
+
+/// A line over the cells.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// In the units of the axes.
+    pub points: Vec<[f64; 2]>,
+    /// What it is for.
+    pub kind: CurveKind,
+    /// Written on it where there is room, in the markup of [`super::text`].
+    pub label: Option<String>,
+}
+
+/// What a line over the cells is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CurveKind {
+    /// An edge of what is possible or wanted: dashed.
+    Limit,
+    /// A line of equal value: thin.
+    Contour,
+    /// Where something went: strong.
+    Path,
+}
+
+/// A place that is marked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Spot {
+    /// The probe: a crosshair with a dot.
+    Probe(Mark<[f64; 2]>),
+    /// The probe again, where the axes may be swapped: a dot.
+    Mirrored(Mark<[f64; 2]>),
+    /// Where the sliders stand: a dot.
+    Here([f64; 2]),
+    /// The best: a diamond.
+    Best([f64; 2]),
+    /// Where a path begins: a ring.
+    Start([f64; 2]),
+}
+
+/// What a heat map shows besides its cells.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HeatSpec {
+    /// What it is, in the markup of [`super::text`]; the first one that fits, so the longest first.
+    pub title: Vec<String>,
+    /// To the right.
+    pub x: Side,
+    /// Upwards.
+    pub y: Side,
+    /// The part of both that is in sight.
+    pub view: View,
+    /// From values to colours.
+    pub colors: ColorScale,
+    /// What the colours mean and in which unit, in the markup of [`super::text`].
+    pub bar_title: String,
+    /// What a hatched cell is called.
+    pub missing: &'static str,
+    /// Whether colours run into one another between the cells.
+    pub smooth: bool,
+    /// Whether both axes are as long on screen.
+    pub square: bool,
+    /// Lines over the cells.
+    pub curves: Vec<Curve>,
+    /// Marks over the lines.
+    pub spots: Vec<Spot>,
+    /// One sentence in place of cells where there are none.
+    pub nothing: &'static str,
+}
+
+/// A heat map: the picture, and where things are in it.
+#[derive(Clone, Debug)]
+pub struct HeatMap {
+    /// The picture.
+    pub drawing: Drawing,
+    /// Where values are in it.
+    pub frame: HeatFrame,
+}
+
+impl HeatMap {
+    /// Draws a field into `size` points.
+    pub fn new(spec: &HeatSpec, field: &Field, size: [f32; 2]) -> Self {
+        let plan = layout::Plan::new(spec, field, size);
+        let drawing = draw::draw(spec, field, &plan, size);
+        Self {
+            drawing,
+            frame: plan.frame,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,351 @@
+//! The order in which a heat map is drawn: cells, hatching, lines, frame, colour bar, marks.
+
+use super::layout::{Plan, TICK};
+use super::{Cell, Curve, CurveKind, Field, HeatFrame, HeatSpec, Spot, hatch, raster};
+use crate::figure::drawing::{Anchor, Drawing, Item, LINE_HEIGHT, Label, Point};
+use crate::figure::mark::Mark;
+use crate::figure::palette::{Ink, Role};
+use crate::figure::placing::Placing;
+use crate::figure::text::RichText;
+use std::f32::consts::FRAC_PI_2;
+
+/// What stands over colours: light with a dark rim, to be seen on all of them.
+const LIGHT: Role = Role::Fixed([255, 255, 255]);
+const DARK: Role = Role::Fixed([16, 16, 20]);
+
+pub(super) fn draw(spec: &HeatSpec, field: &Field, plan: &Plan, size: [f32; 2]) -> Drawing {
+    let mut drawing = Drawing::new(size);
+    let mut placing = Placing::default();
+    let frame = &plan.frame;
+    drawing
+        .items
+        .extend(raster::image(field, &spec.colors, frame, spec.smooth));
+    let hatching = Ink::from(Role::Muted).faded(0.9);
+    hatch::hatch(&mut drawing, field, frame, hatching);
+    for curve in &spec.curves {
+        line_over(&mut drawing, curve, frame);
+    }
+    for curve in &spec.curves {
+        name_line(&mut drawing, &mut placing, curve, plan);
+    }
+    axes(&mut drawing, spec, plan);
+    bar(&mut drawing, spec, plan);
+    if let Some(at) = plan.key {
+        key(&mut drawing, spec, plan, at);
+    }
+    for spot in &spec.spots {
+        mark(&mut drawing, *spot, frame);
+    }
+    if !field
+        .cells
+        .iter()
+        .any(|cell| matches!(cell, Cell::Value(_)))
+    {
+        let middle = [0, 1].map(|k| 0.5 * (frame.min[k] + frame.max[k]));
+        let text = RichText::literal(spec.nothing);
+        let mut label = text_at(text, middle, Anchor::CENTER, plan.font, Role::Muted);
+        label.halo = true;
+        drawing.items.push(Item::Text(label));
+    }
+    drawing
+}
+
+fn text_at(text: RichText, pos: Point, anchor: Anchor, size: f32, role: Role) -> Label {
+    Label {
+        text,
+        pos,
+        anchor,
+        angle: 0.0,
+        size,
+        ink: role.into(),
+        halo: false,
+    }
+}
+
+fn rectangle([a, b]: [Point; 2]) -> Vec<Point> {
+    vec![a, [b[0], a[1]], b, [a[0], b[1]], a]
+}
+
+fn axes(drawing: &mut Drawing, spec: &HeatSpec, plan: &Plan) {
+    let (frame, font) = (&plan.frame, plan.font);
+    let ink = Ink::from(Role::Muted).faded(0.8);
+    let ([left, top], [_, bottom]) = (frame.min, frame.max);
+    let [width, height] = frame.size();
+    let mut texts = Vec::new();
+    for tick in &plan.x_ticks {
+        let x = left + width * tick.position as f32;
+        drawing.line(vec![[x, bottom], [x, bottom + TICK]], 1.0, ink);
+        let at = [x, bottom + TICK + 0.5 * LINE_HEIGHT * font];
+        texts.push(text_at(
+            tick.label.clone(),
+            at,
+            Anchor::CENTER,
+            font,
+            Role::Muted,
+        ));
+    }
+    for tick in &plan.y_ticks {
+        let y = bottom - height * tick.position as f32;
+        drawing.line(vec![[left - TICK, y], [left, y]], 1.0, ink);
+        let at = [left - TICK - 0.3 * font, y];
+        texts.push(text_at(
+            tick.label.clone(),
+            at,
+            Anchor::RIGHT,
+            font,
+            Role::Muted,
+        ));
+    }
+    drawing.line(rectangle([frame.min, frame.max]), 1.0, ink);
+    let (title, at) = &plan.title;
+    texts.push(text_at(
+        title.clone(),
+        *at,
+        Anchor::LEFT,
+        font,
+        Role::Foreground,
+    ));
+    let below = [left + 0.5 * width, bottom + TICK + 1.5 * LINE_HEIGHT * font];
+    let name = RichText::parse(&spec.x.title);
+    texts.push(text_at(name, below, Anchor::CENTER, font, Role::Foreground));
+    let widest = plan.y_ticks.iter().map(|tick| tick.label.width_em());
+    let gap = TICK + font * (0.4 + widest.fold(0.0, f32::max)) + 0.6 * LINE_HEIGHT * font;
+    let beside = [left - gap, top + 0.5 * height];
+    let name = RichText::parse(&spec.y.title);
+    let mut label = text_at(name, beside, Anchor::CENTER, font, Role::Foreground);
+    label.angle = -FRAC_PI_2;
+    texts.push(label);
+    drawing.items.extend(texts.into_iter().map(Item::Text));
+}
+
+/// Steps of the colour bar.
+const BAR_STEPS: usize = 256;
+
+fn bar(drawing: &mut Drawing, spec: &HeatSpec, plan: &Plan) {
+    let [[_, top], [right, bottom]] = plan.bar;
+    let font = plan.font;
+    let map = spec.colors.map();
+    let rgba: Vec<u8> = (0..BAR_STEPS)
+        .rev()
+        .flat_map(|k| {
+            let [r, g, b] = map.color(k as f64 / (BAR_STEPS - 1) as f64);
+            [r, g, b, 255]
+        })
+        .collect();
+    drawing.items.push(Item::Image {
+        min: plan.bar[0],
+        max: plan.bar[1],
+        width: 1,
+        height: BAR_STEPS,
+        rgba: rgba.into(),
+        smooth: true,
+    });
+    let ink = Ink::from(Role::Muted).faded(0.8);
+    drawing.line(rectangle(plan.bar), 1.0, ink);
+    for tick in &plan.bar_ticks {
+        let y = bottom - (bottom - top) * tick.position as f32;
+        drawing.line(vec![[right, y], [right + 3.0, y]], 1.0, ink);
+        let at = [right + 0.5 * font, y];
+        let label = text_at(tick.label.clone(), at, Anchor::LEFT, font, Role::Muted);
+        drawing.items.push(Item::Text(label));
+    }
+    if plan.bar_title {
+        let at = [
+            plan.bar_end + 0.6 * LINE_HEIGHT * font,
+            0.5 * (top + bottom),
+        ];
+        let name = RichText::parse(&spec.bar_title);
+        let mut label = text_at(name, at, Anchor::CENTER, font, Role::Foreground);
+        label.angle = -FRAC_PI_2;
+        drawing.items.push(Item::Text(label));
+    }
+}
+
+/// A small hatched box and what it means.
+fn key(drawing: &mut Drawing, spec: &HeatSpec, plan: &Plan, at: Point) {
+    let font = plan.font;
+    let (width, half) = (1.4 * font, 0.4 * font);
+    let corners = [[at[0], at[1] - half], [at[0] + width, at[1] + half]];
+    let ink = Ink::from(Role::Muted).faded(0.9);
+    for k in 1..4 {
+        let x = at[0] + width * k as f32 / 4.0;
+        let lean = half.min(0.25 * width);
+        drawing.line(
+            vec![[x - lean, at[1] + half], [x + lean, at[1] - half]],
+            1.0,
+            ink,
+        );
+    }
+    drawing.line(rectangle(corners), 1.0, ink);
+    let name = RichText::literal(spec.missing);
+    let label = text_at(
+        name,
+        [at[0] + width + 0.4 * font, at[1]],
+        Anchor::LEFT,
+        font,
+        Role::Muted,
+    );
+    drawing.items.push(Item::Text(label));
+}
+
+/// A line in light over a dark rim, cut at the frame.
+fn line_over(drawing: &mut Drawing, curve: &Curve, frame: &HeatFrame) {
+    let (width, dash, opacity) = match curve.kind {
+        CurveKind::Limit => (1.0, Some([5.0, 4.0]), 0.9),
+        CurveKind::Contour => (1.0, None, 0.75),
+        CurveKind::Path => (2.0, None, 1.0),
+    };
+    for run in runs(curve, frame) {
+        let rim = Ink::from(DARK).faded(0.45 * opacity);
+        drawing.line(run.clone(), width + 1.6, rim);
+        drawing.dashed_line(run, width, dash, Ink::from(LIGHT).faded(opacity));
+    }
+}
+
+/// The pieces of a curve within the frame.
+fn runs(curve: &Curve, frame: &HeatFrame) -> Vec<Vec<Point>> {
+    let points: Vec<Point> = curve.points.iter().map(|at| frame.point(*at)).collect();
+    let mut runs: Vec<Vec<Point>> = vec![Vec::new()];
+    for pair in points.windows(2) {
+        let Some([a, b]) = clip(pair[0], pair[1], frame) else {
+            runs.push(Vec::new());
+            continue;
+        };
+        if let Some(run) = runs.last_mut() {
+            if run.last() != Some(&a) {
+                if run.is_empty() {
+                    run.push(a);
+                } else {
+                    runs.push(vec![a]);
+                }
+            }
+        }
+        if let Some(run) = runs.last_mut() {
+            run.push(b);
+        }
+    }
+    runs.retain(|run| run.len() > 1);
+    runs
+}
+
+/// The piece of a segment within the frame [Liang and Barsky].
+fn clip(a: Point, b: Point, frame: &HeatFrame) -> Option<[Point; 2]> {
+    let (mut from, mut to) = (0.0f32, 1.0f32);
+    for k in 0..2 {
+        let way = b[k] - a[k];
+        for (sign, edge) in [(1.0, frame.min[k]), (-1.0, frame.max[k])] {
+            let (speed, gap) = (sign * way, sign * (edge - a[k]));
+            if speed == 0.0 {
+                if gap > 0.0 {
+                    return None;
+                }
+            } else if speed > 0.0 {
+                from = from.max(gap / speed);
+            } else {
+                to = to.min(gap / speed);
+            }
+        }
+    }
+    let at = |t: f32| [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
+    let whole = |t: f32, end: Point, rest: f32| if t == rest { end } else { at(t) };
+    (from < to).then(|| [whole(from, a, 0.0), whole(to, b, 1.0)])
+}
+
+/// The name of a curve in the middle of its longest piece, along it, where nothing else is.
+fn name_line(drawing: &mut Drawing, placing: &mut Placing, curve: &Curve, plan: &Plan) {
+    let Some(name) = &curve.label else {
+        return;
+    };
+    let text = RichText::parse(name);
+    let size = 0.85 * plan.font;
+    let length = |run: &Vec<Point>| -> f32 {
+        let pairs = run.windows(2);
+        pairs
+            .map(|p| (p[1][0] - p[0][0]).hypot(p[1][1] - p[0][1]))
+            .sum()
+    };
+    let mut runs = runs(curve, &plan.frame);
+    runs.sort_by(|a, b| length(b).total_cmp(&length(a)));
+    for run in runs.iter().filter(|run| length(run) > 30.0) {
+        for share in [0.5, 0.3, 0.7, 0.15, 0.85] {
+            let at = run[((run.len() - 1) as f32 * share) as usize];
+            let mut label = text_at(text.clone(), at, Anchor::CENTER, size, Role::Foreground);
+            label.halo = true;
+            let [min, max] = label.bounds();
+            let inside = (0..2).all(|k| min[k] >= plan.frame.min[k] && max[k] <= plan.frame.max[k]);
+            if inside && placing.try_place(drawing, label) {
+                return;
+            }
+        }
+    }
+}
+
+fn mark(drawing: &mut Drawing, spot: Spot, frame: &HeatFrame) {
+    let (Spot::Probe(Mark { at, .. })
+    | Spot::Mirrored(Mark { at, .. })
+    | Spot::Here(at)
+    | Spot::Best(at)
+    | Spot::Start(at)) = spot;
+    let center = frame.point(at);
+    let [x, y] = center;
+    let inside = (0..2).all(|k| (frame.min[k] - 0.5..=frame.max[k] + 0.5).contains(&center[k]));
+    if let Spot::Probe(_) = spot {
+        cross(drawing, center, frame);
+    }
+    if !inside {
+        return;
+    }
+    let mut ring = |radius: f32, filled: bool, middle: Role| {
+        drawing.items.push(Item::Dot {
+            center,
+            radius,
+            ink: Ink::from(if filled { middle } else { DARK }).faded(if filled {
+                1.0
+            } else {
+                0.25
+            }),
+            outline: Some((3.0, Ink::from(DARK).faded(0.8))),
+        });
+        drawing.items.push(Item::Dot {
+            center,
+            radius,
+            ink: Ink::from(middle).faded(f32::from(filled)),
+            outline: Some((1.4, LIGHT.into())),
+        });
+    };
+    match spot {
+        Spot::Probe(mark) => ring(4.0, mark.exact, LIGHT),
+        Spot::Mirrored(mark) => ring(3.0, mark.exact, LIGHT),
+        Spot::Here(_) => ring(4.5, true, Role::Accent),
+        Spot::Start(_) => ring(4.0, false, LIGHT),
+        Spot::Best(_) => {
+            for (half, role) in [(6.5, DARK), (5.0, LIGHT)] {
+                let corners = vec![[x, y - half], [x + half, y], [x, y + half], [x - half, y]];
+                drawing.fill(corners, role.into());
+            }
+        }
+    }
+}
+
+/// Thin lines across the cells through a point, as far as they are in sight.
+fn cross(drawing: &mut Drawing, [x, y]: Point, frame: &HeatFrame) {
+    let ([left, top], [right, bottom]) = (frame.min, frame.max);
+    let gap = 7.0;
+    let mut pieces = Vec::new();
+    if (left..=right).contains(&x) {
+        pieces.push([[x, top], [x, (y - gap).clamp(top, bottom)]]);
+        pieces.push([[x, (y + gap).clamp(top, bottom)], [x, bottom]]);
+    }
+    if (top..=bottom).contains(&y) {
+        pieces.push([[left, y], [(x - gap).clamp(left, right), y]]);
+        pieces.push([[(x + gap).clamp(left, right), y], [right, y]]);
+    }
+    for piece in pieces {
+        for (width, ink) in [
+            (2.6, Ink::from(DARK).faded(0.35)),
+            (1.0, Ink::from(LIGHT).faded(0.85)),
+        ] {
+            drawing.line(piece.to_vec(), width, ink);
+        }
+    }
+}

@@ -1,0 +1,264 @@
+//! The image slice: f_r over θh and θd at one φd, cell by cell of the MERL grid [Burley12].
+//!
+//! What is measured is shown as it stands in the table, so a cell has one value: at the middle of its θh and θd and at
+//! the chosen φd.
+
+use super::heatmap::{Cell, ColorScale, Curve, CurveKind, Field, HeatSpec, Law, Side, Spot, View};
+use super::mark::Mark;
+use super::scale::{Axis, RadialScale, nice_limit};
+use super::subject::{Channel, Source};
+use crate::geom::{HalfDiff, Rgb};
+use crate::measured::Grid;
+use crate::measured::grid::{THETA_D_BINS, THETA_H_BINS};
+
+/// What of a material is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Shown {
+    /// The data.
+    #[default]
+    Measured,
+    /// The model, wherever light and view are above the horizon.
+    Model,
+    /// Model − measured.
+    Residual,
+    /// Model over measured.
+    Ratio,
+}
+
+/// All of them in the order offered.
+pub const SHOWN: [Shown; 4] = [Shown::Measured, Shown::Model, Shown::Residual, Shown::Ratio];
+
+impl Shown {
+    /// Name in files and on the command line.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Measured => "measured",
+            Self::Model => "model",
+            Self::Residual => "residual",
+            Self::Ratio => "ratio",
+        }
+    }
+
+    /// Name on screen.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Measured => "Measured",
+            Self::Model => "Model",
+            Self::Residual => "Residual",
+            Self::Ratio => "Ratio",
+        }
+    }
+
+    /// What it says in a title.
+    fn phrase(self) -> &'static str {
+        match self {
+            Self::Measured => "measured",
+            Self::Model => "model",
+            Self::Residual => "model − measured",
+            Self::Ratio => "model / measured",
+        }
+    }
+}
+
+/// What an image slice shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ImageSpec {
+    /// Data, model or their difference.
+    pub shown: Shown,
+    /// φd in radians.
+    pub phi_d: f64,
+    /// Whether θh is spread by its square root, so that all cells are of one size.
+    pub root: bool,
+    /// How values become colours; ratios are always by their logarithm.
+    pub scale: RadialScale,
+    /// What of the colours is shown.
+    pub channel: Channel,
+    /// Whether f_r is multiplied by cos θi.
+    pub with_cosine: bool,
+    /// The part in sight.
+    pub view: View,
+    /// θh and θd of the probe in degrees.
+    pub probe: Option<Mark<[f64; 2]>>,
+}
+
+impl Default for ImageSpec {
+    fn default() -> Self {
+        Self {
+            shown: Shown::Measured,
+            phi_d: std::f64::consts::FRAC_PI_2,
+            root: true,
+            scale: RadialScale::Log,
+            channel: Channel::Luminance,
+            with_cosine: false,
+            view: View::default(),
+            probe: None,
+        }
+    }
+}
+
+/// f_r of half and difference angles; the cell as it is in the table for what was measured.
+fn f_r(source: &Source, angles: HalfDiff) -> Option<Rgb> {
+    match source {
+        Source::Measured(table, lookup) => table.lookup_angles(angles, *lookup),
+        Source::Model(brdf) => Some(brdf.eval(&angles.cosines())),
+        Source::Function(function) => {
+            let (wi, wo) = angles.to_directions();
+            function(wi, wo)
+        }
+    }
+}
+
+impl ImageSpec {
+    /// The angles that a cell of the picture stands for: the middle of its bins of θh and θd, at φd.
+    pub fn angles(&self, theta_h: usize, theta_d: usize) -> HalfDiff {
+        HalfDiff {
+            phi_d: self.phi_d,
+            ..Grid::FOLDED.center(theta_h, theta_d, 0)
+        }
+    }
+
+    /// What is shown at some angles.
+    pub fn cell(
+        &self,
+        measured: Option<&Source>,
+        model: Option<&Source>,
+        angles: HalfDiff,
+    ) -> Cell {
+        let cosines = angles.cosines();
+        if !cosines.above_horizon() {
+            return Cell::Outside;
+        }
+        let cosine = if self.with_cosine {
+            cosines.cos_theta_i
+        } else {
+            1.0
+        };
+        let of = |source: Option<&Source>| {
+            let value = cosine * self.channel.of(f_r(source?, angles)?);
+            value.is_finite().then_some(value)
+        };
+        let value = match self.shown {
+            Shown::Measured => of(measured),
+            Shown::Model => of(model),
+            Shown::Residual => of(measured)
+                .zip(of(model))
+                .map(|(data, model)| model - data),
+            Shown::Ratio => of(measured)
+                .zip(of(model))
+                .filter(|(data, _)| *data > 0.0)
+                .map(|(data, model)| model / data),
+        };
+        value.map_or(Cell::Missing, Cell::Value)
+    }
+
+    /// All cells. Axes in degrees.
+    pub fn field(&self, measured: Option<&Source>, model: Option<&Source>) -> Field {
+        let root = |k: usize| (k as f64 / THETA_H_BINS as f64).powi(2) * 90.0;
+        Field::new(
+            (0..=THETA_H_BINS).map(root).collect(),
+            (0..=THETA_D_BINS).map(|k| k as f64).collect(),
+            |theta_h, theta_d| self.cell(measured, model, self.angles(theta_h, theta_d)),
+        )
+    }
+
+    /// How the field is shown. `reference` has the values that the colours are made for: the data's, so that data and
+    /// model have the same colours.
+    pub fn heat_spec(&self, name: &str, field: &Field, reference: &Field) -> HeatSpec {
+        let what = if self.with_cosine {
+            "f_{r} cos θ_{i}"
+        } else {
+            "f_{r}"
+        };
+        let (channel, scale) = (self.channel.name(), self.scale.phrase());
+        let bar_title = match self.shown {
+            Shown::Measured | Shown::Model => format!("{what} [sr^{{−1}}], {channel}, {scale}"),
+            Shown::Residual => format!("Δ{what} [sr^{{−1}}], {channel}, {scale}"),
+            Shown::Ratio => format!("ratio of {what}, {channel}, log"),
+        };
+        let degrees = (10.0 * self.phi_d.to_degrees()).round() / 10.0;
+        let phrase = self.shown.phrase();
+        let law = if self.root {
+            Law::SquareRoot
+        } else {
+            Law::Linear
+        };
+        HeatSpec {
+            title: vec![
+                format!("{name}, {phrase}: {what} [sr^{{−1}}], {channel}, φ_{{d}} = {degrees}°"),
+                format!("{name}, {phrase}, {channel}, φ_{{d}} = {degrees}°"),
+                format!("{name}, {phrase}, φ_{{d}} = {degrees}°"),
+                format!("{phrase}, φ_{{d}} = {degrees}°"),
+            ],
+            x: Side::angle(
+                if self.root {
+                    "θ_{h}, square root scale"
+                } else {
+                    "θ_{h}"
+                },
+                law,
+            ),
+            y: Side::angle("θ_{d}", Law::Linear),
+            view: self.view,
+            colors: self.colors(field, reference),
+            bar_title,
+            missing: "not measured",
+            smooth: false,
+            square: false,
+            curves: vec![Curve {
+                points: self.grazing(80f64.to_radians()),
+                kind: CurveKind::Limit,
+                label: Some("80°".into()),
+            }],
+            spots: self.probe.map(Spot::Probe).into_iter().collect(),
+            nothing: "No value at this φd.",
+        }
+    }
+
+    fn colors(&self, field: &Field, reference: &Field) -> ColorScale {
+        match self.shown {
+            Shown::Measured | Shown::Model => {
+                let limit = nice_limit(reference.values().fold(0.0, f64::max));
+                let positive = reference.values().filter(|value| *value > 0.0);
+                ColorScale::Amount(Axis::new(
+                    self.scale,
+                    limit,
+                    positive.min_by(f64::total_cmp),
+                ))
+            }
+            Shown::Residual => {
+                let limit = nice_limit(field.values().map(f64::abs).fold(0.0, f64::max));
+                // Four decades on each side.
+                ColorScale::Signed(Axis::new(self.scale, limit, Some(1e-4 * limit)))
+            }
+            Shown::Ratio => {
+                let mut logs: Vec<f64> = field
+                    .values()
+                    .map(|ratio| ratio.ln().abs())
+                    .filter(|log| log.is_finite())
+                    .collect();
+                logs.sort_by(f64::total_cmp);
+                // Nearly all of them: a few at the horizon would leave the others grey.
+                let most = logs.get(logs.len() * 98 / 100).copied().unwrap_or(0.0);
+                let octaves = (most / std::f64::consts::LN_2).ceil().clamp(1.0, 10.0);
+                ColorScale::Ratio(octaves.exp2())
+            }
+        }
+    }
+
+    /// Where the more grazing one of light and view is at an angle, in degrees of (θh, θd):
+    /// cos θh cos θd − sin θh sin θd |cos φd| = cos.
+    fn grazing(&self, theta: f64) -> Vec<[f64; 2]> {
+        let across = self.phi_d.cos().abs();
+        let of = |tenth: i32| {
+            let theta_d = (f64::from(tenth) / 2.0).to_radians();
+            let (a, b) = (theta_d.cos(), theta_d.sin() * across);
+            let share = theta.cos() / a.hypot(b);
+            let theta_h = share.min(1.0).acos() - b.atan2(a);
+            (share <= 1.0 && theta_h >= 0.0).then(|| [theta_h.to_degrees(), theta_d.to_degrees()])
+        };
+        (0..=180).filter_map(of).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,254 @@
+//! The best E over (s, α) as colours with lines of equal E, the way of a fit over it, and where the sliders stand.
+
+use super::contour::contours;
+use super::heatmap::{Cell, ColorScale, Curve, CurveKind, Field, HeatSpec, Law, Side, Spot, View};
+use super::scale::number;
+
+/// E in percent at the nodes of a grid over s and α.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Terrain {
+    /// Exponents of the combined model, ascending, evenly in the logarithm.
+    pub s: Vec<f64>,
+    /// Ascending, evenly.
+    pub alpha: Vec<f64>,
+    /// A value per exponent for every α.
+    pub percent: Vec<f64>,
+}
+
+/// What is shown over a terrain.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LandscapeSpec {
+    /// What becomes of η, in the markup of [`super::text`].
+    pub eta: String,
+    /// The part in sight.
+    pub view: View,
+    /// (s, α) of a fit, from its start to its end.
+    pub path: Vec<[f64; 2]>,
+    /// Where the sliders stand.
+    pub here: Option<[f64; 2]>,
+    /// The best node and its E in percent; measured on all cells.
+    pub best: Option<([f64; 2], f64)>,
+}
+
+/// Cells between two nodes, so that colours change evenly.
+const FINER: usize = 4;
+/// E of the lines, relative to the smallest one.
+const LEVELS: [f64; 9] = [1.02, 1.05, 1.1, 1.2, 1.4, 1.7, 2.5, 5.0, 10.0];
+/// The largest E that has a colour of its own, relative to the smallest one.
+const WORST: f64 = 20.0;
+
+impl Terrain {
+    /// The smallest and the largest value.
+    fn ends(&self) -> Option<(f64, f64)> {
+        let values = || self.percent.iter().copied().filter(|x| x.is_finite());
+        let (low, high) = (
+            values().min_by(f64::total_cmp)?,
+            values().max_by(f64::total_cmp)?,
+        );
+        Some((low.max(1e-6), high.max(1e-6)))
+    }
+
+    /// Cells whose values are between those of the nodes.
+    pub fn field(&self) -> Field {
+        let (columns, rows) = (self.s.len(), self.alpha.len());
+        if columns < 2 || rows < 2 || self.percent.len() != columns * rows {
+            return Field::default();
+        }
+        let ln_s: Vec<f64> = self.s.iter().map(|s| s.ln()).collect();
+        let x = finer(&ln_s).into_iter().map(f64::exp).collect();
+        let at = |i: usize, j: usize| self.percent[i + columns * j];
+        // The middle of a cell between its nodes.
+        let split = |k: usize| {
+            (
+                k / FINER,
+                (k % FINER) as f64 / FINER as f64 + 0.5 / FINER as f64,
+            )
+        };
+        Field::new(x, finer(&self.alpha), |column, row| {
+            let ((i, u), (j, v)) = (split(column), split(row));
+            let along = |j: usize| (1.0 - u) * at(i, j) + u * at(i + 1, j);
+            Cell::Value((1.0 - v) * along(j) + v * along(j + 1))
+        })
+    }
+
+    fn curves(&self) -> Vec<Curve> {
+        let Some((low, high)) = self.ends() else {
+            return Vec::new();
+        };
+        let ln_s: Vec<f64> = self.s.iter().map(|s| s.ln()).collect();
+        let mut curves = Vec::new();
+        for factor in LEVELS.iter().filter(|factor| low * **factor < high) {
+            let level = low * factor;
+            for line in contours(&ln_s, &self.alpha, &self.percent, level) {
+                curves.push(Curve {
+                    points: line.into_iter().map(|[x, y]| [x.exp(), y]).collect(),
+                    kind: CurveKind::Contour,
+                    label: Some(format!("{} %", number(rounded(level)))),
+                });
+            }
+        }
+        curves
+    }
+}
+
+/// Three digits.
+fn rounded(value: f64) -> f64 {
+    let unit = 10f64.powi(value.abs().log10().floor() as i32 - 2);
+    (value / unit).round() * unit
+}
+
+fn finer(nodes: &[f64]) -> Vec<f64> {
+    let mut edges: Vec<f64> = nodes
+        .windows(2)
+        .flat_map(|pair| {
+            let step = (pair[1] - pair[0]) / FINER as f64;
+            (0..FINER).map(move |k| pair[0] + step * k as f64)
+        })
+        .collect();
+    edges.extend(nodes.last());
+    edges
+}
+
+impl LandscapeSpec {
+    /// How a terrain is shown.
+    pub fn heat_spec(&self, name: &str, terrain: &Terrain) -> HeatSpec {
+        let (low, high) = terrain.ends().unwrap_or((1.0, 10.0));
+        let ends = |axis: &[f64], missing: (f64, f64)| match axis {
+            [first, .., last] => (*first, *last),
+            _ => missing,
+        };
+        let best = match self.best {
+            Some((_, percent)) => format!("least {} %", number(rounded(percent))),
+            None => "in the making".to_string(),
+        };
+        let mut curves = terrain.curves();
+        if self.path.len() > 1 {
+            curves.push(Curve {
+                points: self.path.clone(),
+                kind: CurveKind::Path,
+                label: None,
+            });
+        }
+        let mut spots: Vec<Spot> = Vec::new();
+        spots.extend(self.path.first().map(|at| Spot::Start(*at)));
+        spots.extend(self.best.map(|(at, _)| Spot::Best(at)));
+        spots.extend(self.here.map(Spot::Here));
+        HeatSpec {
+            title: vec![
+                format!(
+                    "{name}: best E with ρ_{{d}}, k_{{s}} solved, {}; {best}",
+                    self.eta
+                ),
+                format!("Best E with ρ_{{d}}, k_{{s}} solved, {}; {best}", self.eta),
+                format!("Best E, {}; {best}", self.eta),
+                format!("Best E; {best}"),
+            ],
+            x: Side {
+                title: "s".into(),
+                law: Law::Log,
+                range: ends(&terrain.s, (0.1, 1e5)),
+                degrees: false,
+            },
+            y: Side {
+                title: "α (0 Phong, 1 Blinn-Phong)".into(),
+                law: Law::Linear,
+                range: ends(&terrain.alpha, (0.0, 1.0)),
+                degrees: false,
+            },
+            view: self.view,
+            colors: ColorScale::Between(low, high.min(WORST * low).max(1.01 * low)),
+            bar_title: "E, estimate [%], log".into(),
+            missing: "",
+            smooth: true,
+            square: false,
+            curves,
+            spots,
+            nothing: "In the making.",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A valley in ln s, tilted in α.
+    fn terrain() -> Terrain {
+        let s: Vec<f64> = (0..17)
+            .map(|k| 10f64.powf(-1.0 + f64::from(k) * 6.0 / 16.0))
+            .collect();
+        let alpha: Vec<f64> = (0..9).map(|k| f64::from(k) / 8.0).collect();
+        let percent = alpha
+            .iter()
+            .flat_map(|alpha| s.iter().map(move |s| value(*s, *alpha)))
+            .collect();
+        Terrain { s, alpha, percent }
+    }
+
+    fn value(s: f64, alpha: f64) -> f64 {
+        5.0 + 3.0 * (s.ln() - 4.0).abs() + 2.0 * alpha
+    }
+
+    #[test]
+    fn cells_have_the_values_between_the_nodes() {
+        let field = terrain().field();
+        assert_eq!((field.columns(), field.rows()), (64, 32));
+        for (column, row) in [(3, 4), (20, 0), (63, 31)] {
+            let s = (field.x[column] * field.x[column + 1]).sqrt();
+            let alpha = 0.5 * (field.y[row] + field.y[row + 1]);
+            let found = field.cell(column, row).value().expect("a value");
+            assert!((found - value(s, alpha)).abs() < 1e-9, "{column} {row}");
+            // Planted: a cell further on.
+            assert!((found - value(1.1 * s, alpha)).abs() > 0.1);
+        }
+        let broken = Terrain {
+            percent: vec![1.0],
+            ..terrain()
+        };
+        assert_eq!(broken.field(), Field::default());
+    }
+
+    #[test]
+    fn contours_are_where_they_say() {
+        let curves = terrain().curves();
+        assert!(!curves.is_empty());
+        for curve in &curves {
+            let label = curve.label.as_deref().expect("a label");
+            let percent: f64 = label.trim_end_matches(" %").parse().expect("a number");
+            for [s, alpha] in &curve.points {
+                // The bend of the valley is between two nodes.
+                if (s.ln() - 4.0).abs() > 0.9 {
+                    assert!(
+                        (value(*s, *alpha) / percent - 1.0).abs() < 0.01,
+                        "{label} {s}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_flat_or_missing_terrain_is_drawn_too() {
+        let spec = LandscapeSpec {
+            eta: "η = 1.5".into(),
+            view: View::default(),
+            path: vec![[1.0, 0.5], [1e9, 2.0]],
+            here: Some([50.0, 0.5]),
+            best: None,
+        };
+        let flat = Terrain {
+            percent: vec![3.0; 17 * 9],
+            ..terrain()
+        };
+        let none = Terrain {
+            s: Vec::new(),
+            alpha: Vec::new(),
+            percent: Vec::new(),
+        };
+        for terrain in [flat, none] {
+            let heat = spec.heat_spec("x", &terrain);
+            let map = crate::figure::heatmap::HeatMap::new(&heat, &terrain.field(), [300.0, 200.0]);
+            assert!(!map.drawing.items.is_empty());
+        }
+    }
+}

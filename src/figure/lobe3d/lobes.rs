@@ -1,0 +1,165 @@
+//! The lobes of all subjects on one axis, made again only as far as their inputs have changed.
+
+use super::mesh::{LobeMesh, layout, sample};
+use crate::figure::scale::{Axis, RadialScale, nice_limit};
+use crate::figure::subject::{Channel, Look, Source, Subject};
+use crate::geom::{Rgb, mirror};
+use glam::DVec3;
+use std::sync::Arc;
+
+/// What decides the shape of lobes, besides the subjects.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shape {
+    /// Angle of incidence in radians.
+    pub theta_i: f64,
+    /// How values become radii.
+    pub scale: RadialScale,
+    /// Whether f_r is multiplied by cos θi.
+    pub with_cosine: bool,
+    /// What of the colours is shown.
+    pub channel: Channel,
+}
+
+impl Shape {
+    /// To the light, which comes from the left.
+    pub fn wi(&self) -> DVec3 {
+        DVec3::new(-self.theta_i.sin(), 0.0, self.theta_i.cos())
+    }
+
+    fn factor(&self) -> f64 {
+        if self.with_cosine {
+            self.theta_i.cos()
+        } else {
+            1.0
+        }
+    }
+
+    /// What is shown of a source towards `wo`; `None` where it has no finite value.
+    pub fn value(&self, source: &Source, wo: DVec3) -> Option<f64> {
+        let value = self.factor() * self.channel.of(source.f_r(self.wi(), wo)?);
+        value.is_finite().then_some(value)
+    }
+}
+
+/// The lobe of one subject.
+#[derive(Clone, Debug)]
+pub struct Lobe {
+    /// Whose.
+    pub subject: Subject,
+    /// f_r of every direction of the layout.
+    pub(super) samples: Arc<Vec<Option<Rgb>>>,
+    /// Its surface; `None` where the subject is hidden.
+    pub mesh: Option<Arc<LobeMesh>>,
+}
+
+impl Lobe {
+    /// Whether it is drawn as a solid; else as wire.
+    pub fn is_solid(&self) -> bool {
+        self.subject.look == Look::Measured
+    }
+}
+
+/// The lobes of some subjects.
+#[derive(Clone, Debug)]
+pub struct Lobes {
+    /// How they were made.
+    pub shape: Shape,
+    /// One per subject, in their order.
+    pub list: Vec<Lobe>,
+    /// The axis of all of them.
+    pub axis: Axis,
+    directions: Arc<Vec<DVec3>>,
+}
+
+impl Lobes {
+    /// Makes the lobes, of `before` what is still right.
+    pub fn new(shape: Shape, subjects: &[Subject], before: Option<&Self>) -> Self {
+        let before = before.filter(|before| before.shape.theta_i == shape.theta_i);
+        let directions = before.map_or_else(
+            || Arc::new(layout(shape.theta_i)),
+            |before| Arc::clone(&before.directions),
+        );
+        let known = |source: &Source| {
+            let list = &before?.list;
+            let lobe = list.iter().find(|lobe| lobe.subject.source == *source)?;
+            (!lobe.samples.is_empty()).then(|| Arc::clone(&lobe.samples))
+        };
+        let sampled = |subject: &Subject| match known(&subject.source) {
+            Some(samples) => samples,
+            None if subject.hidden => Arc::default(),
+            None => Arc::new(sample(&subject.source, &directions)),
+        };
+        let mut list: Vec<Lobe> = subjects
+            .iter()
+            .map(|subject| Lobe {
+                subject: subject.clone(),
+                samples: sampled(subject),
+                mesh: None,
+            })
+            .collect();
+        let axis = axis_of(&shape, &list);
+        let same_axis = before.filter(|before| before.shape == shape && before.axis == axis);
+        for lobe in list.iter_mut().filter(|lobe| !lobe.subject.hidden) {
+            let kept = same_axis.and_then(|before| {
+                let mut list = before.list.iter();
+                list.find(|old| Arc::ptr_eq(&old.samples, &lobe.samples))?
+                    .mesh
+                    .clone()
+            });
+            lobe.mesh = Some(kept.unwrap_or_else(|| {
+                Arc::new(LobeMesh::new(
+                    &directions,
+                    &lobe.samples,
+                    shape.channel,
+                    shape.factor(),
+                    &axis,
+                ))
+            }));
+        }
+        Self {
+            shape,
+            list,
+            axis,
+            directions,
+        }
+    }
+
+    /// Whether they are those of this shape and these subjects.
+    pub fn are_of(&self, shape: &Shape, subjects: &[Subject]) -> bool {
+        self.shape == *shape
+            && self.list.len() == subjects.len()
+            && self
+                .list
+                .iter()
+                .zip(subjects)
+                .all(|(lobe, subject)| lobe.subject == *subject)
+    }
+
+    /// The surfaces that are shown.
+    pub fn meshes(&self) -> impl Iterator<Item = &LobeMesh> {
+        self.list.iter().filter_map(|lobe| lobe.mesh.as_deref())
+    }
+
+    /// To the light.
+    pub fn wi(&self) -> DVec3 {
+        mirror(self.directions[0])
+    }
+}
+
+/// One axis for all that is shown.
+fn axis_of(shape: &Shape, lobes: &[Lobe]) -> Axis {
+    let shown = lobes.iter().filter(|lobe| !lobe.subject.hidden);
+    let values = shown
+        .flat_map(|lobe| lobe.samples.iter().flatten())
+        .map(|rgb| shape.factor() * shape.channel.of(*rgb))
+        .filter(|value| value.is_finite());
+    let (mut largest, mut smallest) = (0.0_f64, f64::INFINITY);
+    for value in values {
+        largest = largest.max(value);
+        if value > 0.0 {
+            smallest = smallest.min(value);
+        }
+    }
+    let smallest = smallest.is_finite().then_some(smallest);
+    Axis::new(shape.scale, nice_limit(largest), smallest)
+}

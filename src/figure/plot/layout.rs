@@ -1,0 +1,163 @@
+//! How a plot divides its rectangle: title and legend above, numbers at the left and below, panels in what is left.
+
+use super::{Outline, Panel};
+use crate::figure::drawing::{LINE_HEIGHT, Point};
+use crate::figure::legend::SWATCH_EM;
+use crate::figure::scale::{Steps, Ticks};
+use crate::figure::subject::Subject;
+use crate::figure::text::{RichText, elided};
+
+/// Places and sizes in points.
+pub(super) struct Plan {
+    pub font: f32,
+    /// What is plotted, and the left end of its text.
+    pub title: (RichText, Point),
+    /// One entry per subject: its position in the list, its name, the left end of its line.
+    pub legend: Vec<(usize, RichText, Point)>,
+    pub left: f32,
+    pub right: f32,
+    pub panels: Vec<Place>,
+    pub x_marks: Ticks,
+    /// Middle of the line with the numbers of x.
+    pub numbers_y: f32,
+    /// Middle of the line with the name of x; the numbers' own where there is no room for another.
+    pub name_y: f32,
+}
+
+/// A panel's place.
+pub(super) struct Place {
+    /// Its title and the left end of it.
+    pub title: Option<(RichText, Point)>,
+    pub top: f32,
+    pub bottom: f32,
+    pub marks: Ticks,
+}
+
+/// Between a number and its axis, in units of the font size.
+pub(super) const NUMBER_GAP_EM: f32 = 0.45;
+/// A plot lower than this has the name of x beside its numbers.
+const ROOMY: f32 = 240.0;
+/// The largest share of the height that names in the legend take before they are cut shorter.
+const LEGEND_SHARE: f32 = 0.3;
+
+impl Plan {
+    pub(super) fn new(outline: &Outline, [width, height]: [f32; 2]) -> Self {
+        let font = (width.min(1.4 * height) / 38.0).clamp(9.5, 14.0);
+        let pad = 0.6 * font;
+        let line = LINE_HEIGHT * font;
+        let title = first_fitting(&outline.title, (width - 2.0 * pad) / font);
+        let title_width = font * title.width_em();
+        let first = pad + 0.5 * line;
+        let (legend, rows) = legend(outline.subjects, font, [width, height], title_width);
+        let top = pad + line * (1 + rows) as f32 + 0.6 * line;
+
+        let below = if height >= ROOMY { 2.0 } else { 1.0 };
+        let bottom = height - 0.4 * pad - line * below - NUMBER_GAP_EM * font;
+        let titles = outline.panels.iter().skip(1).map(|panel| {
+            let named = !panel.title.is_empty();
+            line * if named { 1.35 } else { 0.6 }
+        });
+        let room = (bottom - top - titles.clone().sum::<f32>()).max(0.0);
+        let total: f32 = outline.panels.iter().map(|panel| panel.height).sum();
+        let mut panels = Vec::new();
+        let mut y = top;
+        let gaps: Vec<f32> = std::iter::once(0.0).chain(titles).collect();
+        for (panel, gap) in outline.panels.iter().zip(gaps) {
+            y += gap;
+            let high = (room * panel.height / total.max(1e-3)).max(4.0);
+            panels.push(place(panel, y, high, font));
+            y += high;
+        }
+        let number = |place: &Place| {
+            let widths = place.marks.major.iter();
+            widths.map(|tick| tick.label.width_em()).fold(0.0, f32::max)
+        };
+        let widest = panels.iter().map(number).fold(1.2, f32::max);
+        let left = pad + font * (widest + NUMBER_GAP_EM + 0.3);
+        let right = (width - 1.6 * pad).max(left + 4.0);
+        for (place, panel) in panels.iter_mut().zip(&outline.panels) {
+            if !panel.title.is_empty() {
+                let text = first_fitting(&panel.title, (right - left) / font);
+                place.title = Some((text, [left, place.top - 0.6 * line]));
+            }
+        }
+        let x_marks = outline.x.marks(right - left, 4.2 * font, outline.x_steps);
+        let end = panels.last().map_or(bottom, |place| place.bottom);
+        let numbers_y = end + NUMBER_GAP_EM * font + 0.5 * line;
+        Self {
+            font,
+            title: (title, [pad, first]),
+            legend,
+            left,
+            right,
+            panels,
+            x_marks,
+            numbers_y,
+            name_y: numbers_y + line * (below - 1.0),
+        }
+    }
+}
+
+fn place(panel: &Panel, top: f32, height: f32, font: f32) -> Place {
+    Place {
+        title: None,
+        top,
+        bottom: top + height,
+        marks: panel.axis.marks(height, 1.9 * font, Steps::Decimal),
+    }
+}
+
+/// The first of the texts that is no wider, else the last.
+fn first_fitting(texts: &[String], room_em: f32) -> RichText {
+    let mut parsed = texts.iter().map(|text| RichText::parse(text));
+    let fitting = parsed.clone().find(|text| text.width_em() <= room_em);
+    fitting.or_else(|| parsed.next_back()).unwrap_or_default()
+}
+
+/// Names with their places, and how many rows of their own they have: none where they fit behind the title.
+fn legend(
+    subjects: &[Subject],
+    font: f32,
+    [width, height]: [f32; 2],
+    title_width: f32,
+) -> (Vec<(usize, RichText, Point)>, usize) {
+    let pad = 0.6 * font;
+    let line = LINE_HEIGHT * font;
+    let (gap, end) = (1.6 * font, width - pad);
+    let room_em = ((end - pad) / font - SWATCH_EM).max(3.0);
+    let names = |most: f32| -> Vec<RichText> {
+        let name = |subject: &Subject| elided(&subject.label, room_em.min(most));
+        subjects.iter().map(name).collect()
+    };
+    let entry = |name: &RichText| font * (SWATCH_EM + name.width_em());
+    let whole = names(26.0);
+    let total = whole.iter().map(|name| entry(name) + gap).sum::<f32>();
+    if pad + title_width + total + gap <= end {
+        let mut x = end - total + gap;
+        let placed = whole.into_iter().enumerate().map(|(index, name)| {
+            let at = [x, pad + 0.5 * line];
+            x += entry(&name) + gap;
+            (index, name, at)
+        });
+        return (placed.collect(), 0);
+    }
+    let mut placed = Vec::new();
+    let mut rows = 0;
+    for most in [26.0, 16.0, 10.0, 6.0] {
+        placed.clear();
+        rows = 0;
+        let mut x = f32::INFINITY;
+        for (index, name) in names(most).into_iter().enumerate() {
+            if x + entry(&name) > end {
+                (x, rows) = (pad, rows + 1);
+            }
+            let at = [x, pad + line * (0.5 + rows as f32)];
+            x += entry(&name) + gap;
+            placed.push((index, name, at));
+        }
+        if line * rows as f32 <= LEGEND_SHARE * height {
+            break;
+        }
+    }
+    (placed, rows)
+}

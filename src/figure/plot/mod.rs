@@ -1,0 +1,271 @@
+//! Plots on straight axes: one or more panels over each other with one x axis, curves and dots in them.
+//!
+//! A view lays its plot out with [`Plot::new`], then shades, draws the axes, curves, marks, in the order in which they
+//! lie over each other.
+
+mod frame;
+mod layout;
+mod marks;
+mod sheet;
+
+pub use frame::Frame;
+pub use marks::Spot;
+
+use super::drawing::{Anchor, Drawing, Point};
+use super::legend::{self, LegendEntry};
+use super::palette::{Ink, Role};
+use super::polyline;
+use super::scale::{Axis, Steps};
+use super::subject::Subject;
+use super::text::RichText;
+use layout::{NUMBER_GAP_EM, Plan};
+pub(super) use sheet::Sheet;
+
+/// What a plot is laid out from.
+#[derive(Clone, Debug)]
+pub struct Outline<'a> {
+    /// What is plotted, as markup: the fullest first, shorter ones for less room.
+    pub title: Vec<String>,
+    /// Whose names are in the legend.
+    pub subjects: &'a [Subject],
+    /// The axis that all panels share.
+    pub x: Axis,
+    /// What its numbers are.
+    pub x_steps: Steps,
+    /// Its name and unit, as markup.
+    pub x_name: String,
+    /// From above to below.
+    pub panels: Vec<Panel>,
+}
+
+/// One of several plots over each other.
+#[derive(Clone, Debug)]
+pub struct Panel {
+    /// From below to above.
+    pub axis: Axis,
+    /// In relation to the other panels.
+    pub height: f32,
+    /// Over it, as markup, like the title of the plot; the first panel has none.
+    pub title: Vec<String>,
+}
+
+/// How a curve is drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Pen {
+    /// In points.
+    pub width: f32,
+    /// Dash and gap in points; solid without.
+    pub dash: Option<[f32; 2]>,
+    /// Its colour.
+    pub ink: Ink,
+}
+
+impl Pen {
+    /// The pen of a subject; thin and pale where it is not the one that matters.
+    pub fn of(subject: &Subject, strong: bool) -> Self {
+        Self {
+            width: subject.look.width() * if strong { 1.0 } else { 0.6 },
+            dash: subject.look.dash(),
+            ink: Ink::from(Role::Series(subject.series)).faded(if strong { 1.0 } else { 0.5 }),
+        }
+    }
+
+    /// A thin solid line.
+    pub fn thin(ink: Ink) -> Self {
+        Self {
+            width: 1.0,
+            dash: None,
+            ink,
+        }
+    }
+}
+
+/// A plot in the making.
+pub struct Plot {
+    sheet: Sheet,
+    plan: Plan,
+    x_name: String,
+    /// One per panel.
+    pub frames: Vec<Frame>,
+    /// Where the names of the subjects are.
+    pub legend: Vec<LegendEntry>,
+}
+
+impl Plot {
+    /// Lays out `size` points and draws title and legend.
+    pub fn new(outline: &Outline, size: [f32; 2]) -> Self {
+        let plan = Plan::new(outline, size);
+        let mut sheet = Sheet::new(size, plan.font);
+        let (title, at) = &plan.title;
+        sheet.text(title.clone(), *at, Anchor::LEFT, Role::Muted);
+        let mut entries = Vec::new();
+        for (index, name, at) in &plan.legend {
+            let subject = &outline.subjects[*index];
+            let font = sheet.font;
+            let (entry, label) =
+                legend::draw_entry(&mut sheet.drawing, *index, subject, name, *at, font);
+            sheet.placing.place(&mut sheet.drawing, label);
+            entries.push(entry);
+        }
+        for place in &plan.panels {
+            if let Some((title, at)) = &place.title {
+                sheet.text(title.clone(), *at, Anchor::LEFT, Role::Muted);
+            }
+        }
+        let frames = plan.panels.iter().zip(&outline.panels);
+        let frames = frames.map(|(place, panel)| Frame {
+            min: [plan.left, place.top],
+            max: [plan.right, place.bottom],
+            x: outline.x,
+            y: panel.axis,
+        });
+        Self {
+            frames: frames.collect(),
+            sheet,
+            x_name: outline.x_name.clone(),
+            plan,
+            legend: entries,
+        }
+    }
+
+    /// Font size in points.
+    pub fn font(&self) -> f32 {
+        self.plan.font
+    }
+
+    /// Shades all panels between two values of x.
+    pub fn shade(&mut self, from: f64, to: f64, ink: Ink) {
+        for frame in &self.frames {
+            let share = |x: f64| frame.x.share(x).clamp(0.0, 1.0);
+            if share(from) < share(to) {
+                let corner = |x: f64, y: f64| frame.at(frame.x.value(share(x)), y);
+                let points = vec![
+                    corner(from, 0.0),
+                    corner(to, 0.0),
+                    corner(to, 1.0),
+                    corner(from, 1.0),
+                ];
+                self.sheet.drawing.fill(points, ink);
+            }
+        }
+    }
+
+    /// Grid, frame, marks and their numbers.
+    pub fn axes(&mut self) {
+        let grid = Ink::from(Role::Faint);
+        let muted = Ink::from(Role::Muted);
+        for (frame, place) in self.frames.iter().zip(&self.plan.panels) {
+            let [left, top] = frame.min;
+            let [right, bottom] = frame.max;
+            let drawing = &mut self.sheet.drawing;
+            let across = |position: f64| left + (right - left) * position as f32;
+            let up = |position: f64| bottom - (bottom - top) * position as f32;
+            for tick in &self.plan.x_marks.major {
+                let x = across(tick.position);
+                drawing.line(vec![[x, top], [x, bottom]], 1.0, grid.faded(0.7));
+                drawing.line(vec![[x, bottom], [x, bottom - 5.0]], 1.0, muted.faded(0.8));
+            }
+            for minor in &self.plan.x_marks.minor {
+                let x = across(*minor);
+                drawing.line(vec![[x, bottom], [x, bottom - 3.0]], 1.0, muted.faded(0.6));
+            }
+            for tick in &place.marks.major {
+                let y = up(tick.position);
+                drawing.line(vec![[left, y], [right, y]], 1.0, grid.faded(0.7));
+                drawing.line(vec![[left, y], [left + 5.0, y]], 1.0, muted.faded(0.8));
+            }
+            for minor in &place.marks.minor {
+                let y = up(*minor);
+                drawing.line(vec![[left, y], [left + 3.0, y]], 1.0, muted.faded(0.6));
+            }
+            let outline = vec![[left, top], [left, bottom], [right, bottom]];
+            drawing.line(outline, 1.0, muted.faded(0.8));
+        }
+        self.numbers();
+    }
+
+    fn numbers(&mut self) {
+        let gap = NUMBER_GAP_EM * self.plan.font;
+        for (frame, place) in self.frames.iter().zip(&self.plan.panels) {
+            let [_, height] = frame.size();
+            // The ends first: the others give way.
+            let mut ticks: Vec<_> = place.marks.major.iter().collect();
+            ticks.sort_by(|a, b| {
+                (b.position - 0.5)
+                    .abs()
+                    .total_cmp(&(a.position - 0.5).abs())
+            });
+            for tick in ticks {
+                let at = [
+                    frame.min[0] - gap,
+                    frame.max[1] - height * tick.position as f32,
+                ];
+                self.sheet
+                    .try_text(tick.label.clone(), at, Anchor::RIGHT, Role::Muted);
+            }
+        }
+        let Some(frame) = self.frames.last() else {
+            return;
+        };
+        let (left, width) = (frame.min[0], frame.size()[0]);
+        let name = RichText::parse(&self.x_name);
+        let own_line = self.plan.name_y > self.plan.numbers_y;
+        let (x, anchor) = if own_line {
+            (left + 0.5 * width, Anchor::CENTER)
+        } else {
+            (left + width, Anchor::RIGHT)
+        };
+        let at = [x, self.plan.name_y];
+        self.sheet.text(name, at, anchor, Role::Muted);
+        for tick in &self.plan.x_marks.major {
+            let at = [left + width * tick.position as f32, self.plan.numbers_y];
+            self.sheet
+                .try_text(tick.label.clone(), at, Anchor::CENTER, Role::Muted);
+        }
+    }
+
+    /// A curve through (x, y) by ascending x, with gaps where there is no y; cut at the ends of the axis.
+    pub fn curve(
+        &mut self,
+        panel: usize,
+        samples: impl Iterator<Item = (f64, Option<f64>)>,
+        pen: Pen,
+    ) {
+        let Some(frame) = self.frames.get(panel) else {
+            return;
+        };
+        let samples = samples.map(|(x, y)| (x, y.map(|y| frame.y.share(y))));
+        for points in polyline::runs(samples, |x, share| frame.at(x, share)) {
+            self.sheet.run(points, pen);
+        }
+    }
+
+    /// A line from side to side at a value of y, if that is shown.
+    pub fn level(&mut self, panel: usize, y: f64, pen: Pen) {
+        if let Some(frame) = self.frames.get(panel) {
+            let share = frame.y.share(y);
+            if (0.0..=1.0).contains(&share) {
+                let [left, right] = [0.0, 1.0].map(|end| frame.at(frame.x.value(end), share));
+                self.sheet.run(vec![left, right], pen);
+            }
+        }
+    }
+
+    /// A line from top to bottom of all panels at a value of x, if that is shown.
+    pub fn upright(&mut self, x: f64, pen: Pen) {
+        for frame in &self.frames {
+            if (0.0..=1.0).contains(&frame.x.share(x)) {
+                let line: Vec<Point> = [0.0, 1.0].map(|end| frame.at(x, end)).to_vec();
+                self.sheet.run(line, pen);
+            }
+        }
+    }
+
+    /// The picture and the legend's places.
+    pub fn finish(self) -> (Drawing, Vec<LegendEntry>) {
+        (self.sheet.drawing, self.legend)
+    }
+}
+
+#[cfg(test)]
+pub(in crate::figure) mod tests;

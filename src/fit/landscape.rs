@@ -1,0 +1,260 @@
+//! The best E over (s, α): how the error of the combined model looks to a search, with ρ_d and k_s solved at each point.
+//!
+//! α = 0 is Phong with exponent s and α = 1 Blinn-Phong with 4 s, so that the edges are these models' own. E is
+//! estimated on a sample of the cells, coarse to fine; the best point is measured on all of them.
+
+use super::Problem;
+use super::objective::{Candidate, Follow, Objective, Space};
+use super::options::{Options, Variant};
+use super::shape::{Point, Shape, Threads};
+use super::sites::Sites;
+use crate::brdf::{Brdf, Fresnel, MODELS, Model, ParamId, Params, params};
+use rayon::prelude::*;
+use std::ops::ControlFlow;
+
+/// Points along ln s and along α, from coarse to fine; each grid holds the one before.
+pub const GRIDS: [(usize, usize); 3] = [(9, 5), (17, 9), (33, 17)];
+
+/// How many nodes are made between two questions whether to go on.
+const BATCH: usize = 16;
+
+/// What becomes of η.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Eta {
+    /// It stays.
+    Fixed(f64),
+    /// The best one at each point.
+    Solved,
+}
+
+/// A point of a landscape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Node {
+    /// The combined model with the best ρ_d and k_s there, and the best η where it is solved.
+    pub brdf: Brdf,
+    /// Its E on a sample of the cells.
+    pub error: f64,
+}
+
+/// E over (s, α).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Landscape {
+    /// Exponents of the combined model, evenly in the logarithm, ascending.
+    pub s: Vec<f64>,
+    /// From 0 to 1, evenly.
+    pub alpha: Vec<f64>,
+    /// A node per exponent for every α.
+    pub nodes: Vec<Node>,
+    /// The best node with its ρ_d and k_s solved on all cells, and its E there; `None` while finer grids are to come.
+    pub best: Option<(Brdf, f64)>,
+}
+
+/// A word of a landscape in the making.
+#[derive(Debug)]
+pub enum Word {
+    /// How far it is, in [0, 1].
+    Progress(f32),
+    /// A grid is done, finer ones are to come.
+    Grid(Landscape),
+}
+
+/// The combined model, whose edges are the other two.
+pub fn model() -> &'static Model {
+    MODELS
+        .into_iter()
+        .find(|model| model.alpha.is_none())
+        .unwrap_or(MODELS[0])
+}
+
+/// Makes a landscape; `None` where `follow` breaks. The same for any number of threads.
+pub fn landscape(
+    problem: &Problem,
+    fresnel: Fresnel,
+    eta: Eta,
+    follow: &mut dyn FnMut(Word) -> ControlFlow<()>,
+) -> Option<Landscape> {
+    let variant = Variant {
+        model: model(),
+        fresnel,
+    };
+    let survey = Survey {
+        // E as a function of η is smooth and asks for many more points; the small sample tells enough.
+        sites: match eta {
+            Eta::Fixed(_) => &problem.medium,
+            Eta::Solved => &problem.coarse,
+        },
+        space: Space::new(variant, &Options::default(), problem.all.scale),
+        eta: match fresnel {
+            Fresnel::None => Eta::Fixed(params::ETA.default),
+            _ => eta,
+        },
+    };
+    let all: usize = GRIDS.last().map_or(0, |(columns, rows)| columns * rows);
+    let mut before: Option<Landscape> = None;
+    for (step, (columns, rows)) in GRIDS.into_iter().enumerate() {
+        let mut grid = survey.grid(columns, rows);
+        let known = |index: usize| {
+            let before = before.as_ref()?;
+            let (i, j) = (index % columns, index / columns);
+            let there = i.is_multiple_of(2) && j.is_multiple_of(2);
+            there.then(|| before.nodes[i / 2 + before.s.len() * (j / 2)])
+        };
+        let mut nodes: Vec<Option<Node>> = (0..columns * rows).map(known).collect();
+        let missing: Vec<usize> = (0..nodes.len()).filter(|k| nodes[*k].is_none()).collect();
+        let mut done = nodes.len() - missing.len();
+        for batch in missing.chunks(BATCH) {
+            let made: Vec<Node> = batch
+                .par_iter()
+                .map(|k| survey.node(grid.s[k % columns], grid.alpha[k / columns]))
+                .collect();
+            for (k, node) in batch.iter().zip(made) {
+                nodes[*k] = Some(node);
+            }
+            done += batch.len();
+            if follow(Word::Progress(done as f32 / all as f32)).is_break() {
+                return None;
+            }
+        }
+        grid.nodes = nodes.into_iter().flatten().collect();
+        if step + 1 < GRIDS.len() && follow(Word::Grid(grid.clone())).is_break() {
+            return None;
+        }
+        before = Some(grid);
+    }
+    let mut finest = before?;
+    let best = problem.with_best_amplitudes(&finest.lowest()?.brdf);
+    finest.best = Some((best, problem.errors(&best).total));
+    Some(finest)
+}
+
+/// How nodes are made.
+struct Survey<'a> {
+    sites: &'a Sites,
+    space: Space,
+    eta: Eta,
+}
+
+impl Survey<'_> {
+    /// A grid without its nodes.
+    fn grid(&self, columns: usize, rows: usize) -> Landscape {
+        let (low, high) = params::S.range;
+        let share = |k: usize, count: usize| k as f64 / (count - 1) as f64;
+        Landscape {
+            s: (0..columns)
+                .map(|k| low * (high / low).powf(share(k, columns)))
+                .collect(),
+            alpha: (0..rows).map(|k| share(k, rows)).collect(),
+            nodes: Vec::new(),
+            best: None,
+        }
+    }
+
+    fn node(&self, s: f64, alpha: f64) -> Node {
+        let at = |eta: f64| Shape { s, alpha, eta }.point();
+        let limits = Follow::Solved(self.space.limits);
+        let fresnel = self.space.variant.fresnel;
+        let mut objective = Objective::new(self.sites, fresnel, limits, None, Threads::One);
+        let candidate = match self.eta {
+            Eta::Fixed(eta) => objective.error(at(eta)),
+            Eta::Solved => best_eta(&mut objective, at(params::ETA.default)),
+        };
+        let params = self.space.params(&candidate, &Options::default());
+        let eta = match self.eta {
+            Eta::Fixed(eta) => eta,
+            Eta::Solved => params.eta,
+        };
+        Node {
+            brdf: self.space.variant.with(Params {
+                s,
+                alpha,
+                eta,
+                ..params
+            }),
+            error: candidate.error,
+        }
+    }
+}
+
+/// η − 1 that are looked at first: from a steep rise towards grazing to hardly any.
+const ETAS_LESS_1: [f64; 6] = [0.02, 0.1, 0.35, 0.8, 2.0, 9.0];
+/// Steps of the search between them.
+const ETA_STEPS: usize = 6;
+
+/// The best η: the best of a few, then by thirds of a golden section between its neighbours in ln(η − 1).
+fn best_eta(objective: &mut Objective, point: Point) -> Candidate {
+    let mut error = |ln_eta: f64| objective.error([point[0], point[1], ln_eta]);
+    let tried: Vec<Candidate> = ETAS_LESS_1.iter().map(|x| error(x.ln())).collect();
+    let lowest = (0..tried.len())
+        .min_by(|a, b| tried[*a].error.total_cmp(&tried[*b].error))
+        .unwrap_or(0);
+    let end = |k: usize| tried[k.min(tried.len() - 1)].point[2];
+    let (mut low, mut high) = (end(lowest.saturating_sub(1)), end(lowest + 1));
+    let mut best = tried[lowest];
+    let golden = 0.5 * (5f64.sqrt() - 1.0);
+    let mut inner = [high - golden * (high - low), low + golden * (high - low)];
+    let mut errors = inner.map(&mut error);
+    for _ in 0..ETA_STEPS {
+        for candidate in errors {
+            if candidate.error < best.error {
+                best = candidate;
+            }
+        }
+        if errors[0].error < errors[1].error {
+            high = inner[1];
+            (inner[1], errors[1]) = (inner[0], errors[0]);
+            inner[0] = high - golden * (high - low);
+            errors[0] = error(inner[0]);
+        } else {
+            low = inner[0];
+            (inner[0], errors[0]) = (inner[1], errors[1]);
+            inner[1] = low + golden * (high - low);
+            errors[1] = error(inner[1]);
+        }
+    }
+    best
+}
+
+impl Landscape {
+    /// The node of the smallest E.
+    pub fn lowest(&self) -> Option<&Node> {
+        self.nodes.iter().min_by(|a, b| a.error.total_cmp(&b.error))
+    }
+
+    /// E between the nodes, linear in ln s and α; at the edges beyond them. `None` without nodes.
+    pub fn error_at(&self, s: f64, alpha: f64) -> Option<f64> {
+        let [(i, u), (j, v)] = self.place(s, alpha)?;
+        let at = |i: usize, j: usize| Some(self.nodes.get(i + self.s.len() * j)?.error);
+        let along = |j: usize| Some((1.0 - u) * at(i, j)? + u * at(i + 1, j)?);
+        Some((1.0 - v) * along(j)? + v * along(j + 1)?)
+    }
+
+    /// The nearest node moved to (s, α): its ρ_d, k_s and η are near the best ones there.
+    pub fn model_at(&self, s: f64, alpha: f64) -> Option<Brdf> {
+        let [(i, u), (j, v)] = self.place(s, alpha)?;
+        let (i, j) = (i + u.round() as usize, j + v.round() as usize);
+        let mut brdf = self.nodes.get(i + self.s.len() * j)?.brdf;
+        for (id, value) in [(ParamId::S, s), (ParamId::Alpha, alpha)] {
+            let row = brdf.model.param(id)?;
+            brdf.params.get_mut(id)[0] = row.clamp(value);
+        }
+        Some(brdf)
+    }
+
+    /// Column and row below a place, each with the share of the way to the next.
+    fn place(&self, s: f64, alpha: f64) -> Option<[(usize, f64); 2]> {
+        let (first, last) = (self.s.first()?, self.s.last()?);
+        let split = |share: f64, count: usize| {
+            let most = count.checked_sub(2)?;
+            let x = share.clamp(0.0, 1.0) * (count - 1) as f64;
+            let below = (x as usize).min(most);
+            Some((below, x - below as f64))
+        };
+        Some([
+            split((s / first).ln() / (last / first).ln(), self.s.len())?,
+            split(alpha, self.alpha.len())?,
+        ])
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,62 @@
+//! How far the model's sphere is from the measured one, as a place on a colour map. Twin: `sphere_error` in
+//! `gpu/sphere.wgsl`.
+
+use super::Rgb;
+use super::color::luminance;
+
+/// What is compared at a point of the sphere; both are of the luminance of what is seen there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SphereError {
+    /// |model − measured|.
+    Difference,
+    /// Model over measured, in powers of two.
+    Ratio,
+}
+
+/// The difference at the upper end of the map, in units of white on the exposed picture.
+pub const DIFFERENCE_LIMIT: f64 = 0.5;
+
+/// The ratio at the ends of the map: a factor of 2 to this power, below and above.
+pub const RATIO_STOPS: f64 = 2.0;
+
+/// Radiance on the exposed picture below which there is nothing to compare.
+pub const NO_LIGHT: f64 = 1e-9;
+
+impl SphereError {
+    /// The place on the map, in [0, 1], of two radiances on the exposed picture; `None` where neither is lit.
+    pub fn place(self, measured: Rgb, model: Rgb) -> Option<f64> {
+        let (measured, model) = (luminance(measured), luminance(model));
+        if measured.max(model) < NO_LIGHT {
+            return None;
+        }
+        let place = match self {
+            Self::Difference => (model - measured).abs() / DIFFERENCE_LIMIT,
+            Self::Ratio => {
+                let stops = (model.max(NO_LIGHT) / measured.max(NO_LIGHT)).log2();
+                0.5 + 0.5 * stops / RATIO_STOPS
+            }
+        };
+        Some(place.clamp(0.0, 1.0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ends_and_middle_of_the_map_are_where_they_are_said_to_be() {
+        let grey = |x: f64| [x; 3];
+        let difference = |a, b| SphereError::Difference.place(grey(a), grey(b));
+        assert_eq!(difference(0.3, 0.3), Some(0.0));
+        let half = difference(0.5, 0.25).expect("lit");
+        assert!((half - 0.5).abs() < 1e-12);
+        assert_eq!(difference(0.1, 7.0), Some(1.0));
+        let ratio = |a, b| SphereError::Ratio.place(grey(a), grey(b)).expect("lit");
+        assert!((ratio(0.2, 0.2) - 0.5).abs() < 1e-12);
+        assert!((ratio(0.2, 0.4) - 0.75).abs() < 1e-12);
+        assert!((ratio(0.4, 0.1) - 0.0).abs() < 1e-12);
+        assert_eq!(ratio(0.0, 0.4), 1.0);
+        assert_eq!(SphereError::Ratio.place(grey(0.0), grey(0.0)), None);
+    }
+}
