@@ -528,11 +528,11 @@ fn fitted_materials_are_dots_that_show_them() {
         s: fit.brdf.params.s,
         alpha: fit.brdf.params.alpha,
         fill: ColorRole::Muted,
-        rim: ColorRole::Muted,
+        ring: None,
         shown: false,
     };
     let plot = ScatterPlot::new(&fits.each_ref().map(dot), [rect.width(), rect.height()]);
-    let at = rect.min + egui::Vec2::from(plot.places[1]);
+    let at = rect.min + egui::Vec2::from(plot.places[1].expect("a place"));
     drag(&mut window, &[at, at]);
     settle(&mut window, is_quiet);
     assert_eq!(name(&window), "b");

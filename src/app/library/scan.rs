@@ -4,11 +4,15 @@ use super::{Examined, Hold, LibraryMsg, Thumbnail};
 use crate::app::jobs::Outbox;
 use crate::app::state::CancelFlag;
 use crate::app::update::Msg;
+use crate::figure::Source;
+use crate::figure::sphere_image::sphere_image;
 use crate::files::{self, FileError, folder};
 use crate::geom::color::srgb_bytes;
-use crate::measured::Table;
+use crate::geom::sphere::SphereView;
+use crate::measured::{Lookup, Table};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// How many files are told at once: each message redraws the window.
 const BATCH: usize = 32;
@@ -82,13 +86,13 @@ impl Scanner {
                 ControlFlow::Continue(())
             }
         })?;
-        let color = srgb_bytes(table.mean_reflectance());
-        let picture = thumbnail(&table, color);
+        let table = Arc::new(table);
+        let picture = thumbnail(&table);
         let name = file.display().to_string();
         Ok(Examined {
             valid_share: table.valid_count() as f64 / table.grid().len() as f64,
             half_width: table.highlight_half_width(),
-            color,
+            color: srgb_bytes(table.mean_reflectance()),
             thumbnail: Thumbnail(self.outbox.texture(name, picture)),
         })
     }
@@ -100,15 +104,9 @@ impl Scanner {
     }
 }
 
-/// A disc in the colour of the material.
-fn thumbnail(_table: &Table, [r, g, b]: [u8; 3]) -> egui::ColorImage {
-    let radius = 0.5 * THUMBNAIL as f32;
-    let pixel = |index: usize| {
-        let at = |k: usize| k as f32 + 0.5 - radius;
-        let from_center = at(index % THUMBNAIL).hypot(at(index / THUMBNAIL));
-        let cover = (radius - from_center).clamp(0.0, 1.0);
-        egui::Color32::from_rgb(r, g, b).gamma_multiply(cover)
-    };
-    let pixels = (0..THUMBNAIL * THUMBNAIL).map(pixel).collect();
-    egui::ColorImage::new([THUMBNAIL; 2], pixels)
+/// The material on a sphere under the first lights.
+fn thumbnail(table: &Arc<Table>) -> egui::ColorImage {
+    let source = Source::Measured(Arc::clone(table), Lookup::Smooth);
+    let bytes = sphere_image(&source, &SphereView::default(), THUMBNAIL);
+    egui::ColorImage::from_rgba_premultiplied([THUMBNAIL; 2], &bytes)
 }

@@ -93,7 +93,7 @@ pub const PANES: &[Row] = &[
         name: "Materials",
         help: [
             "Every material with a fit of the combined model: α over s.",
-            "At α = 0 a material is Phong-like, at α = 1 Blinn-Phong-like. Open ones have a coloured rim.",
+            "At α = 0 a material is Phong-like, at α = 1 Blinn-Phong-like. Open ones have a ring.",
             "Point to read a name and its numbers; a click shows that material.",
         ],
         home: Home::Upper,

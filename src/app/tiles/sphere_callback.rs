@@ -14,7 +14,7 @@ use eframe::egui_wgpu::{
 use eframe::wgpu;
 use egui::PaintCallbackInfo;
 use std::collections::HashMap;
-use std::sync::Arc;
+use std::sync::{Arc, Weak};
 
 /// How many tables stay on the GPU.
 const TEXTURES: usize = 4;
@@ -112,7 +112,8 @@ type Key = (Option<MaterialId>, bool);
 /// What stays on the GPU.
 struct Kept {
     pass: SpherePass,
-    tables: HashMap<Option<MaterialId>, TableTexture>,
+    /// With the data they are of.
+    tables: HashMap<Option<MaterialId>, (Weak<Table>, TableTexture)>,
     slots: HashMap<Key, SphereSlot>,
 }
 
@@ -141,13 +142,20 @@ impl CallbackTrait for SphereCallback {
         else {
             return Vec::new();
         };
-        tables.retain(|id, _| self.kept.contains(id));
-        slots.retain(|(id, _), _| self.kept.contains(id));
-        let table = tables.entry(self.key.0).or_insert_with(|| {
-            if self.table.valid_count() == 0 {
-                return TableTexture::empty(device, queue);
-            }
-            TableTexture::upload(device, queue, &self.table)
+        let (own, data) = (self.key.0, Arc::downgrade(&self.table));
+        // Data that were let go and read again may be others.
+        tables.retain(|id, (of, _)| match *id == own {
+            true => of.ptr_eq(&data),
+            false => self.kept.contains(id),
+        });
+        slots.retain(|(id, _), _| tables.contains_key(id));
+        let (_, table) = tables.entry(own).or_insert_with(|| {
+            let texture = if self.table.valid_count() == 0 {
+                TableTexture::empty(device, queue)
+            } else {
+                TableTexture::upload(device, queue, &self.table)
+            };
+            (data, texture)
         });
         slots
             .entry(self.key)
