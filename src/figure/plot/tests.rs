@@ -50,7 +50,6 @@ pub(in crate::figure) fn strays(drawing: &Drawing) -> bool {
             Item::Dot { center, .. } => vec![*center],
             Item::Image { min, max, .. } => vec![*min, *max],
             Item::Text(label) => vec![label.pos],
-            Item::Image { min, max, .. } => vec![*min, *max],
         };
         points.iter().any(|point| {
             (0..2).any(|k| !(-1.0..=drawing.size[k].max(80.0) + 1.0).contains(&point[k]))
