@@ -3,8 +3,10 @@
 mod common;
 
 use common::skip_gpu;
+use common::window::settle;
 use egui_kittest::{Harness, SnapshotOptions};
 use grazing::app::command::Command;
+use grazing::app::probe::Probe;
 use grazing::app::state::{Show, Theme};
 use grazing::app::update::Msg;
 use grazing::app::{App, Options, Picker};
@@ -12,13 +14,17 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 fn window(theme: Theme) -> Harness<'static, App> {
+    window_of(theme, [1000.0, 640.0])
+}
+
+fn window_of(theme: Theme, size: [f32; 2]) -> Harness<'static, App> {
     let picker = Picker {
         open: Arc::new(Vec::new),
         folder: Arc::new(|| None),
         save: Arc::new(|_| None),
     };
     let mut window = Harness::builder()
-        .with_size([1000.0, 640.0])
+        .with_size(size)
         .wgpu()
         .build_eframe(|cc| {
             App::new(
@@ -81,6 +87,37 @@ fn the_light_window() {
         return;
     }
     check(&mut window(Theme::Light), "window_light");
+}
+
+/// Every view side by side, on the sample, the probe pinned so that all mark it.
+fn every_view(theme: Theme, name: &str) {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = window_of(theme, [2000.0, 1250.0]);
+    window.state_mut().tiles_side_by_side();
+    let ctx = window.ctx.clone();
+    let probe = Probe::in_plane(1.0, 0.7);
+    window.state_mut().handle(&ctx, Msg::Pin(Some(probe)));
+    settle(&mut window, |state| {
+        let derived = &state.derived;
+        derived.measured_albedo.last().is_some()
+            && derived.model_albedo.last().is_some()
+            && derived.error_map.last().is_some()
+            && derived.landscape.last().is_some()
+            && derived.landscape.progress().is_none()
+    });
+    check(&mut window, name);
+}
+
+#[test]
+fn every_view_in_the_dark() {
+    every_view(Theme::Dark, "views_dark");
+}
+
+#[test]
+fn every_view_in_the_light() {
+    every_view(Theme::Light, "views_light");
 }
 
 #[test]
