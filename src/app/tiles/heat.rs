@@ -13,6 +13,8 @@ pub struct OnScreen {
     pub response: Response,
 }
 
+/// How many points of the wheel make something e times larger.
+const WHEEL: f64 = 240.0;
 /// How much an old picture keeps of its colours while the next one is made.
 const DIMMED: f32 = 0.45;
 
@@ -65,7 +67,7 @@ impl OnScreen {
         }
         if let Some(pointer) = self.response.hover_pos() {
             let (scroll, pinch) = ui.input(|i| (i.smooth_scroll_delta().y, i.zoom_delta()));
-            let factor = (-0.004 * f64::from(scroll)).exp() / f64::from(pinch);
+            let factor = (-f64::from(scroll) / WHEEL).exp() / f64::from(pinch);
             let cells = Rect::from_min_max(
                 self.response.rect.min + Vec2::from(self.map.frame.min),
                 self.response.rect.min + Vec2::from(self.map.frame.max),

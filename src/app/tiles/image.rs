@@ -172,11 +172,9 @@ fn interact(
         theta_d: theta_d.to_radians(),
         phi_d: spec.phi_d,
     };
-    if let Some(probe) = on_screen
-        .clicked()
-        .and_then(|at| Probe::from_angles(angles_at(at)))
-    {
-        clicked(state, probe, out);
+    let at = on_screen.clicked().map(angles_at);
+    if let Some((angles, probe)) = at.and_then(|at| Some((at, Probe::from_angles(at)?))) {
+        clicked(state, probe, angles, out);
     }
     if !on_screen.response.hovered() {
         return;
@@ -188,9 +186,15 @@ fn interact(
     }
 }
 
-/// What a click on a cell does.
-fn clicked(state: &State, probe: Probe, out: &mut Vec<Msg>) {
+/// A click on a cell pins it and lays the slices over θh, θd and φd through it.
+fn clicked(state: &State, probe: Probe, angles: HalfDiff, out: &mut Vec<Msg>) {
     probe::pin(state, probe, out);
+    let mut slices = state.scene.slices.clone();
+    (slices.spec.theta_h, slices.spec.theta_d) = (angles.theta_h, angles.theta_d);
+    slices.spec.phi_d = angles.phi_d;
+    if slices != state.scene.slices {
+        out.push(Msg::SetSlices(slices));
+    }
 }
 
 fn tooltip(on_screen: &OnScreen, spec: &ImageSpec, sources: &Sources, at: HalfDiff) {

@@ -11,8 +11,8 @@ use serde::{Deserialize, Serialize};
 pub enum Pane {
     Sphere,
     Fits,
-    Scatter,
     Landscape,
+    Scatter,
     Lobes,
     Slices,
     Albedo,
@@ -76,18 +76,6 @@ pub const PANES: &[Row] = &[
         },
     },
     Row {
-        pane: Pane::Scatter,
-        key: "scatter",
-        name: "Materials",
-        help: [
-            "Every material with a fit of the combined model: α over s.",
-            "At α = 0 a material is Phong-like, at α = 1 Blinn-Phong-like. Open ones have a ring.",
-            "Point to read a name and its numbers; a click shows that material.",
-        ],
-        home: Home::Upper,
-        ui: scatter::scatter_ui,
-    },
-    Row {
         pane: Pane::Landscape,
         key: "landscape",
         name: "Error landscape",
@@ -98,6 +86,18 @@ pub const PANES: &[Row] = &[
         ],
         home: Home::Upper,
         ui: landscape::landscape_ui,
+    },
+    Row {
+        pane: Pane::Scatter,
+        key: "scatter",
+        name: "Materials",
+        help: [
+            "Every material with a fit of the combined model: α over s.",
+            "At α = 0 a material is Phong-like, at α = 1 Blinn-Phong-like. Open ones have a ring.",
+            "Point to read a name and its numbers; a click shows that material.",
+        ],
+        home: Home::Upper,
+        ui: scatter::scatter_ui,
     },
     Row {
         pane: Pane::Lobes,
@@ -118,7 +118,7 @@ pub const PANES: &[Row] = &[
         help: [
             "f_r over one angle with the others fixed, and what is between model and measurement below.",
             "The wheel zooms the angle, over the numbers at the left or with Ctrl the values; drag to pan, double click resets.",
-            "Point to read values, click to pin. \"Follow probe\" takes the fixed angles from the other views.",
+            "Point to read values, click to pin. \"Follow\" takes the fixed angles from the other views.",
         ],
         home: Home::Lower,
         ui: slices::slices_ui,

@@ -1,12 +1,12 @@
 //! What the tiles are set to show, as plain data: a file per view, a field of the scene each.
 
 pub mod albedo;
-pub mod slices;
-
-pub use albedo::AlbedoView;
-pub use slices::SlicesView;
 pub mod background;
 pub mod error_map;
 pub mod image;
 pub mod landscape;
 pub mod lobe3d;
+pub mod slices;
+
+pub use albedo::AlbedoView;
+pub use slices::SlicesView;

@@ -205,23 +205,14 @@ fn line_over(drawing: &mut Drawing, curve: &Curve, frame: &HeatFrame) {
 /// The pieces of a curve within the frame.
 fn runs(curve: &Curve, frame: &HeatFrame) -> Vec<Vec<Point>> {
     let points: Vec<Point> = curve.points.iter().map(|at| frame.point(*at)).collect();
-    let mut runs: Vec<Vec<Point>> = vec![Vec::new()];
+    let mut runs: Vec<Vec<Point>> = Vec::new();
     for pair in points.windows(2) {
         let Some([a, b]) = clip(pair[0], pair[1], frame) else {
-            runs.push(Vec::new());
             continue;
         };
-        if let Some(run) = runs.last_mut() {
-            if run.last() != Some(&a) {
-                if run.is_empty() {
-                    run.push(a);
-                } else {
-                    runs.push(vec![a]);
-                }
-            }
-        }
-        if let Some(run) = runs.last_mut() {
-            run.push(b);
+        match runs.last_mut() {
+            Some(run) if run.last() == Some(&a) => run.push(b),
+            _ => runs.push(vec![a, b]),
         }
     }
     runs.retain(|run| run.len() > 1);
@@ -316,10 +307,10 @@ fn mark(drawing: &mut Drawing, spot: Spot, frame: &HeatFrame) {
     match spot {
         Spot::Probe(mark) => ring(4.0, mark.exact, LIGHT),
         Spot::Mirrored(mark) => ring(3.0, mark.exact, LIGHT),
-        Spot::Here(_) => ring(4.5, true, Role::Accent),
+        Spot::Here(_) => ring(3.5, true, Role::Accent),
         Spot::Start(_) => ring(4.0, false, LIGHT),
         Spot::Best(_) => {
-            for (half, role) in [(6.5, DARK), (5.0, LIGHT)] {
+            for (half, role) in [(9.0, DARK), (7.5, LIGHT)] {
                 let corners = vec![[x, y - half], [x + half, y], [x, y + half], [x - half, y]];
                 drawing.fill(corners, role.into());
             }

@@ -44,7 +44,7 @@ impl Plan {
             let width = |tick: &Tick| font * tick.label.width_em();
             ticks.iter().map(width).fold(0.0, f32::max)
         };
-        let y_ticks = spec.y.ticks(spec.view.y, f64::from(1.7 * font / tall));
+        let y_ticks = spec.y.ticks(spec.view.y, f64::from(2.7 * font / tall));
         let bar_count = ((tall / (2.6 * font)) as usize).clamp(2, 9);
         let bar_ticks = spec.colors.ticks(bar_count);
         let left = pad + line + widest(&y_ticks) + TICK + 0.4 * font;

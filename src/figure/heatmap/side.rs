@@ -140,6 +140,14 @@ impl Side {
                 }
                 classes
             }
+            Law::SquareRoot if high - low > 30.0 => {
+                let tens = |every: i32| -> Vec<f64> {
+                    let tens = (0..=9).filter(|k| k % every == 0);
+                    tens.map(|k| 10.0 * f64::from(k)).collect()
+                };
+                let small = [5.0, 2.0, 1.0, 0.5, 0.2, 0.1].map(|x| vec![x]);
+                [vec![tens(9), tens(3), tens(1)], small.to_vec()].concat()
+            }
             Law::Linear | Law::SquareRoot => {
                 let steps: &[f64] = if self.degrees {
                     &[90.0, 30.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1]

@@ -48,8 +48,8 @@ pub(in crate::figure) fn strays(drawing: &Drawing) -> bool {
         let points = match item {
             Item::Line { points, .. } | Item::Fill { points, .. } => points.clone(),
             Item::Dot { center, .. } => vec![*center],
-            Item::Text(label) => vec![label.pos],
             Item::Image { min, max, .. } => vec![*min, *max],
+            Item::Text(label) => vec![label.pos],
         };
         points.iter().any(|point| {
             (0..2).any(|k| !(-1.0..=drawing.size[k].max(80.0) + 1.0).contains(&point[k]))
