@@ -11,6 +11,7 @@ mod open_fits;
 mod opening;
 pub mod paint;
 mod panels;
+mod prefs;
 pub mod probe;
 mod run_command;
 pub mod startup;

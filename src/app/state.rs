@@ -21,11 +21,12 @@ use crate::geom::sphere::SphereView;
 use crate::geom::sphere_error::SphereError;
 use crate::measured::Table;
 use crate::measured::lookup::Lookup;
-use serde::{Deserialize, Serialize};
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+
+pub use super::prefs::{MemoryLimit, Prefs, Theme};
 
 /// Number of an opened material, never used twice in a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -282,61 +283,6 @@ pub struct Notice {
     pub level: Level,
     /// One line.
     pub text: String,
-}
-
-/// What is kept between runs.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Prefs {
-    /// Files opened lately, the last first.
-    pub recent: VecDeque<PathBuf>,
-    /// Light, dark, or as the system.
-    pub theme: Theme,
-    /// The folder that was open last.
-    pub folder: Option<PathBuf>,
-    /// How much memory tables may take.
-    pub memory: MemoryLimit,
-}
-
-/// How much memory tables may take, in MiB.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct MemoryLimit(pub u32);
-
-impl Default for MemoryLimit {
-    fn default() -> Self {
-        Self(512)
-    }
-}
-
-impl MemoryLimit {
-    /// The same in bytes.
-    pub fn bytes(self) -> u64 {
-        u64::from(self.0) * super::library::memory::MIB
-    }
-}
-
-/// How many recent files are kept.
-const RECENT: usize = 10;
-
-impl Prefs {
-    /// Puts a file at the front of the recent ones.
-    pub fn remember(&mut self, path: PathBuf) {
-        self.recent.retain(|other| *other != path);
-        self.recent.push_front(path);
-        self.recent.truncate(RECENT);
-    }
-}
-
-/// The look of the window.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Theme {
-    /// As the system says.
-    #[default]
-    System,
-    /// Light.
-    Light,
-    /// Dark.
-    Dark,
 }
 
 /// A window over the window.

@@ -282,7 +282,8 @@ impl Library {
         let variant = |fit: &FitRecord| crate::fit::Variant::from(&fit.brdf);
         match fits.iter_mut().find(|kept| variant(kept) == variant(&fit)) {
             // It comes back from a material that was opened with it.
-            Some(kept) if kept.brdf == fit.brdf && kept.errors == fit.errors => {}
+            Some(kept)
+                if (kept.brdf, kept.errors, kept.ended) == (fit.brdf, fit.errors, fit.ended) => {}
             Some(kept) => *kept = fit,
             None => fits.push(fit),
         }

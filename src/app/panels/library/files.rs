@@ -31,7 +31,9 @@ pub fn files_ui(ui: &mut egui::Ui, state: &State, folder: &Folder, out: &mut Vec
     }
     let shown = area.show_rows(ui, ROW, rows.len(), |ui, range| {
         for index in &rows[range] {
-            file_ui(ui, state, &folder.files[*index], out);
+            // The list may move between press and release.
+            let id = egui::Id::unique(("file", folder.number, index));
+            file_ui(ui, state, &folder.files[*index], id, out);
         }
     });
     let offset = shown.state.clamped_offset().y;
@@ -62,9 +64,9 @@ fn offset_to_reveal(ui: &egui::Ui, state: &State, folder: &Folder, rows: &[usize
     (offset < least || offset > most).then(|| offset.max(least).min(most).max(0.0))
 }
 
-fn file_ui(ui: &mut egui::Ui, state: &State, file: &FolderFile, out: &mut Vec<Msg>) {
-    let size = vec2(ui.available_width(), ROW);
-    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+fn file_ui(ui: &mut egui::Ui, state: &State, file: &FolderFile, id: egui::Id, out: &mut Vec<Msg>) {
+    let (_, rect) = ui.allocate_space(vec2(ui.available_width(), ROW));
+    let response = ui.interact(rect, id, Sense::click());
     let can_open = !matches!(file.kind, Kind::Other(_));
     let position = state.position_of_file(&file.path);
     let shown = position == Some(state.scene.selected) && position.is_some();
@@ -97,12 +99,18 @@ fn file_ui(ui: &mut egui::Ui, state: &State, file: &FolderFile, out: &mut Vec<Ms
         right: rect.right() - 4.0,
     };
     let weak = visuals.weak_text_color();
-    let name = if can_open { visuals.text_color() } else { weak };
+    let color = if can_open { visuals.text_color() } else { weak };
+    // All that can be shown end alike.
+    let stem = file.name.rsplit_once('.').map(|(stem, _)| stem);
+    let name = match stem.filter(|stem| file.is_measured() && !stem.is_empty()) {
+        Some(stem) => stem,
+        None => &file.name,
+    };
     if second.is_empty() {
-        text.line(rect.top() + 14.0, &file.name, 13.5, name);
+        text.line(rect.top() + 14.0, name, 13.5, color);
         text.line(rect.top() + 30.0, &first, 11.0, weak);
     } else {
-        text.line(rect.top() + 9.0, &file.name, 13.5, name);
+        text.line(rect.top() + 9.0, name, 13.5, color);
         text.line(rect.top() + 23.5, &first, 11.0, weak);
         text.line(rect.top() + 36.0, &second, 11.0, visuals.text_color());
     }

@@ -24,6 +24,9 @@ fn title_ui(ui: &mut egui::Ui, state: &State, folder: &Folder, out: &mut Vec<Msg
     ui.horizontal(|ui| {
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             menu_ui(ui, state, folder, out);
+            if let Some(text) = scanned(folder) {
+                ui.weak(text).on_hover_text("Files that have been read");
+            }
             ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
                 let name = egui::RichText::new(shown_name(&folder.path)).strong();
                 let name = ui.add(egui::Label::new(name).truncate());
@@ -31,6 +34,20 @@ fn title_ui(ui: &mut egui::Ui, state: &State, folder: &Folder, out: &mut Vec<Msg
             });
         });
     });
+}
+
+/// How far the scan is, until it is done.
+fn scanned(folder: &Folder) -> Option<String> {
+    match folder.scan {
+        Scan::Done => None,
+        Scan::Listing => Some("…".into()),
+        Scan::Looking => {
+            let files = || folder.files.iter();
+            let measured = files().filter(|file| file.is_measured()).count();
+            let examined = files().filter(|file| file.examined().is_some()).count();
+            Some(format!("{examined} of {measured}"))
+        }
+    }
 }
 
 fn menu_ui(ui: &mut egui::Ui, state: &State, folder: &Folder, out: &mut Vec<Msg>) {
@@ -146,7 +163,7 @@ fn sort_ui(ui: &mut egui::Ui, sort: Sort, out: &mut Vec<Msg>) {
         .on_hover_text(format!("Order of the files: {name}, {direction}"));
 }
 
-/// The fit of the folder under way, or how far its files have been looked at.
+/// The fit of the folder under way.
 fn fit_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     let library = &state.library;
     if let Some(run) = &library.run {
@@ -176,18 +193,7 @@ fn fit_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
                 ));
             });
         });
-        return;
     }
-    let Some(folder) = library.folder.as_ref().filter(|f| f.scan != Scan::Done) else {
-        return;
-    };
-    let files = || folder.files.iter();
-    let measured = files().filter(|file| file.is_measured()).count();
-    let examined = files().filter(|file| file.examined().is_some()).count();
-    ui.weak(match folder.scan {
-        Scan::Listing => "Reading the folder…".into(),
-        _ => format!("Reading {examined} of {measured}…"),
-    });
 }
 
 /// Arrows, Home, End and Enter, where the library was pressed last and nobody types.
