@@ -14,6 +14,7 @@ use std::time::{Duration, Instant};
 fn window(theme: Theme) -> Harness<'static, App> {
     let picker = Picker {
         open: Arc::new(Vec::new),
+        folder: Arc::new(|| None),
         save: Arc::new(|_| None),
     };
     let mut window = Harness::builder()

@@ -97,3 +97,28 @@ fn the_probe_is_the_mirror_pair_at_the_angle() {
     window.run_steps(3);
     assert_eq!(window.state().state().scene.albedo, view);
 }
+
+#[test]
+fn another_material_has_its_own_curve() {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = opened();
+    let measured = |window: &Window| -> Vec<f64> {
+        let state = window.state().state();
+        let curves = curves(&state.derived, &Subjects::of(state).list);
+        curves[0].points.iter().map(|p| p.rgb[0]).collect()
+    };
+    let first = measured(&window);
+    run(&mut window, Command::OpenSample(1));
+    settle(&mut window, |state| state.scene.opened.len() == 2);
+    let now = measured(&window);
+    assert!(now.is_empty() || now != first, "the other one's curve");
+    settle(&mut window, known);
+    let second = measured(&window);
+    assert!(!second.is_empty() && second != first);
+    assert_eq!(
+        window.state().state().derived.measured_albedo.progress(),
+        None
+    );
+}

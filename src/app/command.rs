@@ -1,7 +1,9 @@
 //! The commands: one list behind menus, shortcuts, tooltips and the palette.
 
 mod entries;
+mod folder_entries;
 
+use super::library::fit_run;
 use super::state::{Show, State, Theme};
 use super::tiles::Pane;
 use crate::brdf::fresnel::Fresnel;
@@ -18,6 +20,12 @@ use std::sync::LazyLock;
 pub enum Command {
     Open,
     OpenPath,
+    OpenFolder,
+    CloseFolder,
+    FitFolder,
+    FitFolderAll,
+    CancelFitFolder,
+    SaveFits,
     OpenSample(usize),
     OpenRecent(usize),
     ClearRecent,
@@ -118,7 +126,13 @@ impl Command {
             Self::CancelFit => {
                 state.dialog.is_none() && state.fit.run.as_ref().is_some_and(|run| !run.stopping)
             }
-            Self::NextMaterial | Self::PreviousMaterial => state.scene.opened.len() > 1,
+            Self::NextMaterial | Self::PreviousMaterial => {
+                state.scene.opened.len() > 1 || state.library.folder.is_some()
+            }
+            Self::CloseFolder => state.library.folder.is_some(),
+            Self::FitFolder | Self::FitFolderAll => fit_run::blocked(state).is_none(),
+            Self::CancelFitFolder => state.library.run.is_some(),
+            Self::SaveFits => state.library.folder_fits().next().is_some(),
             _ => true,
         }
     }

@@ -1,5 +1,6 @@
 //! Work in the background: a queue with one worker, and the way back to the window.
 
+use super::library::LibraryMsg;
 use super::open_fits;
 use super::state::{CancelFlag, Level, Origin};
 use super::update::{Loaded, Msg};
@@ -24,6 +25,12 @@ impl Outbox {
     pub fn new(ctx: egui::Context) -> (Self, Receiver<Msg>) {
         let (sender, receiver) = channel();
         (Self { sender, ctx }, receiver)
+    }
+
+    /// A picture on the GPU, which is let go with the last handle to it.
+    pub fn texture(&self, name: String, picture: egui::ColorImage) -> egui::TextureHandle {
+        let options = egui::TextureOptions::LINEAR;
+        self.ctx.load_texture(name, picture, options)
     }
 
     /// Wakes the window without a message.
@@ -95,6 +102,15 @@ pub fn load(
             }
             Origin::File(path) => match (open_file(path, fits.is_some(), &mut progress), fits) {
                 (Ok(Found::Material(loaded)), fits) => Ok(Loaded { fits, ..*loaded }),
+                (Ok(Found::Folder), _) => {
+                    outbox.send(Msg::Loaded {
+                        job,
+                        origin: origin.clone(),
+                        result: Err(None),
+                    });
+                    outbox.send(Msg::Library(LibraryMsg::Open(path.clone())));
+                    return;
+                }
                 (Ok(Found::Fits(fits)), _) => {
                     let path = path.clone();
                     outbox.send(Msg::FitsRead { job, path, fits });
@@ -120,10 +136,14 @@ pub fn load(
 enum Found {
     Material(Box<Loaded>),
     Fits(Vec<MaterialFits>),
+    Folder,
 }
 
 /// `measured`: a fit file names it as its data. A fit file that names itself must not be read for ever.
 fn open_file(path: &Path, measured: bool, progress: files::Progress) -> Result<Found, FileError> {
+    if !measured && path.is_dir() {
+        return Ok(Found::Folder);
+    }
     let entries = if measured {
         None
     } else {

@@ -6,7 +6,9 @@ pub mod fitting;
 mod formula;
 mod history;
 mod jobs;
+pub mod library;
 mod open_fits;
+mod opening;
 pub mod paint;
 mod panels;
 pub mod probe;
@@ -27,7 +29,8 @@ use egui::{Key, KeyboardShortcut, Modifiers};
 use fitting::FitMsg;
 use fitting::work::Fitter;
 use jobs::{Outbox, Queue};
-use panels::{dialogs, fit, library, menu, model, notices, status};
+use panels::library::library_ui;
+use panels::{dialogs, fit, menu, model, notices, status};
 use state::{Prefs, State, Theme};
 use std::path::PathBuf;
 use std::sync::mpsc::Receiver;
@@ -147,7 +150,7 @@ impl App {
         egui::Panel::left("library")
             .default_size(210.0)
             .size_range(150.0..=420.0)
-            .show(ui, |ui| library::library_ui(ui, state, out));
+            .show(ui, |ui| library_ui(ui, state, out));
         egui::Panel::right("model")
             .default_size(316.0)
             .size_range(260.0..=520.0)
@@ -302,7 +305,7 @@ fn dropped_files(ctx: &egui::Context, out: &mut Vec<Msg>) {
         painter.text(
             rect.center(),
             egui::Align2::CENTER_CENTER,
-            "Drop MERL or fit files to open them",
+            "Drop MERL files, fit files or a folder to open them",
             egui::FontId::proportional(24.0),
             egui::Color32::WHITE,
         );

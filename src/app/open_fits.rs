@@ -3,8 +3,8 @@
 use super::fitting::{KeptFit, steps};
 use super::state::{Level, Material, MaterialId, Origin, State};
 use super::update::{Loaded, Task, add_material, edit, load_with, notify};
-use crate::files::FileError;
 use crate::files::fits::MaterialFits;
+use crate::files::{FileError, SourceFile};
 use crate::measured::Table;
 use std::path::Path;
 
@@ -52,8 +52,7 @@ pub(super) fn arrived(state: &mut State, id: MaterialId, fits: &MaterialFits) {
     };
     let (name, source) = (name.clone(), source.clone());
     for record in fits.entries.iter().filter_map(|entry| entry.fit.as_ref()) {
-        let pair = source.as_ref().zip(record.source.as_ref());
-        if pair.and_then(|(now, then)| now.same_data(then)) != Some(false) {
+        if same_data(source.as_ref(), record.source.as_ref()) != Some(false) {
             state.keep_fit(id, KeptFit::from(record));
         }
     }
@@ -66,6 +65,11 @@ pub(super) fn arrived(state: &mut State, id: MaterialId, fits: &MaterialFits) {
         let text = FileError::new(Path::new(&now.path), what).to_string();
         notify(state, Level::Info, text);
     }
+}
+
+/// Whether both are the same bytes; `None` where that is not known.
+pub(super) fn same_data(a: Option<&SourceFile>, b: Option<&SourceFile>) -> Option<bool> {
+    a?.same_data(b?)
 }
 
 /// The open material that the models belong to: the one from the same path, or with the same bytes, or, where the

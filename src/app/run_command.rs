@@ -2,6 +2,7 @@
 
 use super::command::Command;
 use super::fitting::{FitMsg, Settings, steps};
+use super::library::{LibraryMsg, LibraryTask, fit_run, show};
 use super::state::{Dialog, Origin, State};
 use super::tiles::Tiles;
 use super::update::{Msg, Task, apply, edit, edit_brdf, load};
@@ -85,17 +86,16 @@ pub(super) fn run(state: &mut State, command: Command) -> Vec<Task> {
             };
             return steps::apply(state, FitMsg::Settings(settings));
         }
-        Command::NextMaterial | Command::PreviousMaterial => {
-            let count = state.scene.opened.len();
-            let step = if command == Command::NextMaterial {
-                1
-            } else {
-                count.saturating_sub(1)
-            };
-            if count > 0 {
-                let next = (state.scene.selected + step) % count;
-                return apply(state, Msg::Select(next));
-            }
+        Command::NextMaterial => return show::step(state, 1),
+        Command::PreviousMaterial => return show::step(state, -1),
+        Command::OpenFolder => return vec![Task::Library(LibraryTask::Pick)],
+        Command::CloseFolder => return apply(state, Msg::Library(LibraryMsg::Close)),
+        Command::FitFolder => return fit_run::start(state, false),
+        Command::FitFolderAll => return fit_run::start(state, true),
+        Command::CancelFitFolder => state.library.run = None,
+        Command::SaveFits => {
+            let fits = state.library.folder_fits().cloned().collect();
+            return vec![Task::Library(LibraryTask::Save(fits))];
         }
         Command::UseShow(show) => edit(state, |scene| scene.sphere.show = show),
         Command::UseLights(index) => edit(state, |scene| {

@@ -3,6 +3,7 @@
 use super::derived::Derived;
 use super::fitting::{FitState, KeptFit};
 use super::history::History;
+use super::library::{Library, Presence};
 use super::probe::Probe;
 use super::subjects::SubjectKey;
 use super::tiles::Tiles;
@@ -44,8 +45,12 @@ pub struct Material {
     pub origin: Origin,
     /// Which file it was and what was in it; `None` for a sample and for a model without data.
     pub source: Option<SourceFile>,
-    /// The data.
+    /// The data; a table without values where they are not in memory.
     pub table: Arc<Table>,
+    /// Whether `table` is the data.
+    pub presence: Presence,
+    /// When it was shown last, by [`Library::clock`].
+    pub last_shown: u64,
     /// The first guess of a model over it, made when it was loaded.
     pub guess: Brdf,
     /// Its fits, at most one per variant.
@@ -223,6 +228,20 @@ pub struct Job {
     pub progress: f32,
     /// Set to make it stop.
     pub cancel: CancelFlag,
+    /// What becomes of what it brings.
+    pub purpose: Purpose,
+}
+
+/// What becomes of what a job brings.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Purpose {
+    /// A new material.
+    #[default]
+    Open,
+    /// A material that a person steps through, if it is still wished.
+    Preview,
+    /// The data of this material, which were let go.
+    Reload(MaterialId),
 }
 
 /// A flag that a job looks at.
@@ -269,6 +288,27 @@ pub struct Prefs {
     pub recent: VecDeque<PathBuf>,
     /// Light, dark, or as the system.
     pub theme: Theme,
+    /// The folder that was open last.
+    pub folder: Option<PathBuf>,
+    /// How much memory tables may take.
+    pub memory: MemoryLimit,
+}
+
+/// How much memory tables may take, in MiB.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct MemoryLimit(pub u32);
+
+impl Default for MemoryLimit {
+    fn default() -> Self {
+        Self(512)
+    }
+}
+
+impl MemoryLimit {
+    /// The same in bytes.
+    pub fn bytes(self) -> u64 {
+        u64::from(self.0) * super::library::memory::MIB
+    }
 }
 
 /// How many recent files are kept.
@@ -323,6 +363,8 @@ pub struct State {
     pub derived: Derived,
     /// Fits asked for and under way.
     pub fit: FitState,
+    /// The open folder, and what is in memory.
+    pub library: Library,
     /// The pair of directions under the pointer.
     pub hovered: Option<Probe>,
     /// The pair of directions that stays marked wherever the pointer goes.

@@ -2,6 +2,7 @@
 
 use super::fitting::work::Fitter;
 use super::jobs::{self, Outbox, Queue};
+use super::library;
 use super::state::Level;
 use super::update::{Msg, Task};
 use crate::files;
@@ -11,7 +12,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 /// A dialog that is gone sooner was never there: nobody cancels so fast, and the library does not tell the two apart.
-const NO_DIALOG: Duration = Duration::from_millis(250);
+pub(super) const NO_DIALOG: Duration = Duration::from_millis(250);
 const NO_ANSWER: &str = "No file dialog answered; install one: sudo apt-get install -y zenity.";
 
 type SavePicker = dyn Fn(&str) -> Option<PathBuf> + Send + Sync;
@@ -21,6 +22,8 @@ type SavePicker = dyn Fn(&str) -> Option<PathBuf> + Send + Sync;
 pub struct Picker {
     /// Asks for files to open; empty where cancelled.
     pub open: Arc<dyn Fn() -> Vec<PathBuf> + Send + Sync>,
+    /// Asks for a folder.
+    pub folder: Arc<dyn Fn() -> Option<PathBuf> + Send + Sync>,
     /// Asks where to write, given a proposed name.
     pub save: Arc<SavePicker>,
 }
@@ -37,15 +40,31 @@ impl Picker {
                     .pick_files()
                     .unwrap_or_default()
             }),
-            save: Arc::new(|name| {
+            folder: Arc::new(|| {
                 rfd::FileDialog::new()
-                    .set_title("Save picture")
-                    .add_filter("PNG picture", &["png"])
+                    .set_title("Open folder")
+                    .pick_folder()
+            }),
+            save: Arc::new(|name| {
+                let (title, filter, extension) = if name.ends_with(".json") {
+                    ("Save fits", "Fit file", "json")
+                } else {
+                    ("Save picture", "PNG picture", "png")
+                };
+                rfd::FileDialog::new()
+                    .set_title(title)
+                    .add_filter(filter, &[extension])
                     .set_file_name(name)
                     .save_file()
             }),
         }
     }
+}
+
+/// What to say where a dialog did not open.
+pub(super) fn no_dialog() -> Msg {
+    let text = format!("{NO_ANSWER} Open path… and dropping files work without it.");
+    Msg::Notify(Level::Error, text)
 }
 
 /// Starts a task. None waits here.
@@ -69,6 +88,7 @@ pub fn start(
         }
         Task::Fit(task) => fitter.fit(task),
         Task::Resolve(resolve) => fitter.resolve(resolve),
+        Task::Library(task) => library::start(task, outbox, picker),
         Task::Derive(work) => {
             let outbox = outbox.clone();
             in_thread(&outbox.clone(), "view", move || work.run(&outbox));
@@ -81,10 +101,7 @@ pub fn start(
                 if !paths.is_empty() {
                     outbox.send(Msg::OpenFiles(paths));
                 } else if asked.elapsed() < NO_DIALOG {
-                    outbox.send(Msg::Notify(
-                        Level::Error,
-                        format!("{NO_ANSWER} Open path… and dropping files work without it."),
-                    ));
+                    outbox.send(no_dialog());
                 }
             });
         }
@@ -131,7 +148,7 @@ fn write_png(picture: &egui::ColorImage, path: &Path) -> Result<(), String> {
         .map_err(|error| error.to_string())
 }
 
-fn in_thread(outbox: &Outbox, name: &str, work: impl FnOnce() + Send + 'static) {
+pub(super) fn in_thread(outbox: &Outbox, name: &str, work: impl FnOnce() + Send + 'static) {
     if let Err(error) = thread::Builder::new().name(name.into()).spawn(work) {
         outbox.send(Msg::Notify(
             Level::Error,

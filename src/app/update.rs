@@ -3,13 +3,13 @@
 use super::command::Command;
 use super::derived::{self, DerivedMsg, Work};
 use super::fitting::{FitMsg, FitTask, Resolve, steps};
+use super::library::{self, LibraryMsg, LibraryTask};
 use super::open_fits;
+use super::opening::forget_unreachable;
+pub(super) use super::opening::{add_material, add_material_at, load, load_with};
 use super::probe::Probe;
 use super::run_command;
-use super::state::{
-    CancelFlag, Job, Level, LobeTile, Material, MaterialId, Notice, Opened, Origin, Scene,
-    SphereTile, State,
-};
+use super::state::{CancelFlag, Level, LobeTile, Notice, Origin, Scene, SphereTile, State};
 use super::subjects::{self, SubjectKey, Subjects};
 use super::views::{AlbedoView, ErrorMapView, ImageView, LandscapeView, Lobe3dView, SlicesView};
 use crate::brdf::{Brdf, ParamId, Params};
@@ -18,7 +18,6 @@ use crate::files::fits::MaterialFits;
 use crate::fit::start;
 use crate::geom::color::luminance;
 use crate::measured::Table;
-use crate::measured::samples::SAMPLES;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -64,6 +63,8 @@ pub enum Msg {
     Derived(Box<dyn DerivedMsg>),
     /// Something about fitting.
     Fit(FitMsg),
+    /// Something about the folder and memory.
+    Library(LibraryMsg),
     /// Change the sphere tile.
     SetSphere(SphereTile),
     /// Change the lobe tile.
@@ -131,7 +132,7 @@ impl Loaded {
     }
 
     /// The model to begin with.
-    fn brdf(&self) -> Brdf {
+    pub(super) fn brdf(&self) -> Brdf {
         self.fits.as_ref().map_or(self.guess, |fits| fits.best)
     }
 }
@@ -151,6 +152,8 @@ pub enum Task {
     Fit(FitTask),
     /// Find the best ρ_d and k_s in the background.
     Resolve(Resolve),
+    /// Look at a folder, fit it, or ask for one.
+    Library(LibraryTask),
     /// Make what a view wishes for.
     Derive(Work),
     /// Ask for files to open.
@@ -163,8 +166,14 @@ pub enum Task {
     Quit,
 }
 
-/// Changes the state.
+/// Changes the state. Whatever happened, what is shown stays in memory and the rest within its limit.
 pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
+    let mut tasks = change(state, msg);
+    tasks.extend(library::memory::keep(state));
+    tasks
+}
+
+fn change(state: &mut State, msg: Msg) -> Vec<Task> {
     match msg {
         Msg::Run(command) => return run_command::run(state, command),
         Msg::OpenFiles(paths) => {
@@ -183,12 +192,7 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
             origin,
             result,
         } => {
-            state.jobs.retain(|other| other.id != job);
-            match result {
-                Ok(loaded) => add_material(state, origin, loaded),
-                Err(Some(reason)) => notify(state, Level::Error, reason),
-                Err(None) => {}
-            }
+            library::show::loaded(state, job, origin, result);
         }
         Msg::FitsRead { job, path, fits } => {
             state.jobs.retain(|other| other.id != job);
@@ -199,11 +203,7 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
                 job.cancel.set();
             }
         }
-        Msg::Select(index) => edit(state, |scene| {
-            if index < scene.opened.len() {
-                scene.selected = index;
-            }
-        }),
+        Msg::Select(index) => return library::show::select(state, index),
         Msg::Close(index) => {
             if let Some(opened) = state.scene.opened.get(index) {
                 steps::forget(state, opened.id);
@@ -252,6 +252,7 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
         }
         Msg::Derived(msg) => return derived::apply(state, msg),
         Msg::Fit(msg) => return steps::apply(state, msg),
+        Msg::Library(msg) => return library::steps::apply(state, msg),
         Msg::SetSphere(sphere) => edit(state, |scene| scene.sphere = sphere),
         Msg::SetLobes(lobes) => edit(state, |scene| scene.lobes = lobes),
         Msg::SetSlices(slices) => edit(state, |scene| scene.slices = slices),
@@ -301,97 +302,6 @@ pub(super) fn edit_brdf(state: &mut State, change: impl FnOnce(&mut Brdf)) {
             change(&mut opened.brdf);
         }
     });
-}
-
-pub(super) fn load(state: &mut State, origin: Origin) -> Task {
-    load_with(state, origin, None)
-}
-
-/// Loads a material that a fit file has models for.
-pub(super) fn load_with(
-    state: &mut State,
-    origin: Origin,
-    fits: Option<Box<MaterialFits>>,
-) -> Task {
-    let job = state.fresh_id();
-    let cancel = CancelFlag::default();
-    let label = match &origin {
-        Origin::File(path) => path.file_name().map_or_else(
-            || path.display().to_string(),
-            |name| name.display().to_string(),
-        ),
-        Origin::Sample(index) => SAMPLES[*index].name.to_string(),
-    };
-    state.jobs.push(Job {
-        id: job,
-        label,
-        progress: 0.0,
-        cancel: cancel.clone(),
-    });
-    Task::Load {
-        job,
-        origin,
-        fits,
-        cancel,
-    }
-}
-
-pub(super) fn add_material(state: &mut State, origin: Origin, loaded: Loaded) {
-    // What comes with a fit file is found again through that.
-    if let (Origin::File(path), None) = (&origin, &loaded.fits) {
-        state.prefs.remember(path.clone());
-    }
-    let brdf = loaded.brdf();
-    let id = MaterialId(state.fresh_id());
-    state.materials.insert(
-        id,
-        Material {
-            name: loaded.name,
-            origin,
-            source: loaded.source,
-            table: loaded.table,
-            guess: loaded.guess,
-            fits: Vec::new(),
-        },
-    );
-    if let Some(fits) = &loaded.fits {
-        open_fits::arrived(state, id, fits);
-    }
-    let opened = Opened {
-        id,
-        brdf,
-        beside: false,
-    };
-    let add = |scene: &mut Scene| {
-        scene.opened.push(opened);
-        scene.selected = scene.opened.len() - 1;
-    };
-    if state.scene.opened.is_empty() && !state.history.can_undo() {
-        // The first material is where the story begins, not a step of it.
-        add(&mut state.scene);
-        return;
-    }
-    // A drag may be under way: opening is a step of its own.
-    state.history.settle(&state.scene);
-    edit(state, add);
-    state.history.settle(&state.scene);
-    forget_unreachable(state);
-}
-
-/// Drops the data that neither the scene nor any step of its history shows.
-fn forget_unreachable(state: &mut State) {
-    let State {
-        materials,
-        history,
-        scene,
-        ..
-    } = state;
-    let reachable: std::collections::BTreeSet<MaterialId> = history
-        .states()
-        .chain([&*scene])
-        .flat_map(|scene| scene.opened.iter().map(|opened| opened.id))
-        .collect();
-    materials.retain(|id, _| reachable.contains(id));
 }
 
 pub(super) fn notify(state: &mut State, level: Level, text: String) {

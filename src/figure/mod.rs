@@ -20,6 +20,7 @@ pub mod plot;
 mod polyline;
 pub mod samples;
 pub mod scale;
+pub mod scatter;
 pub mod slices;
 pub mod sphere_image;
 pub mod subject;

@@ -53,6 +53,11 @@ impl FileError {
         &self.path
     }
 
+    /// What is wrong, in one line and without the path.
+    pub fn reason(&self) -> String {
+        one_line(&self.what)
+    }
+
     /// Whether it is no error at all: `progress` said stop.
     pub fn is_cancelled(&self) -> bool {
         self.cancelled
@@ -62,16 +67,21 @@ impl FileError {
 impl fmt::Display for FileError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let text = format!("{}: {}", self.what, self.path.display());
-        // Names and contents of files may hold line breaks and worse; the message is one line.
-        for c in text.chars() {
-            if c.is_control() {
-                write!(f, "{}", c.escape_default())?;
-            } else {
-                write!(f, "{c}")?;
-            }
-        }
-        Ok(())
+        f.write_str(&one_line(&text))
     }
+}
+
+/// Names and contents of files may hold line breaks and worse; the message is one line.
+pub(super) fn one_line(text: &str) -> String {
+    let mut line = String::with_capacity(text.len());
+    for c in text.chars() {
+        if c.is_control() {
+            line.extend(c.escape_default());
+        } else {
+            line.push(c);
+        }
+    }
+    line
 }
 
 impl std::error::Error for FileError {}

@@ -159,6 +159,42 @@ pub struct MaterialFits {
     pub entries: Vec<Entry>,
 }
 
+impl MaterialFits {
+    /// Fits of a measured file that is there, as a fit file would bring them; `None` without any.
+    pub fn of_records(
+        name: String,
+        source: Option<SourceFile>,
+        found: &Path,
+        records: &[FitRecord],
+    ) -> Option<Self> {
+        let mut entries: Vec<Entry> = records
+            .iter()
+            .map(|record| Entry {
+                brdf: record.brdf,
+                material: Some(record.material.clone()),
+                source: record.source.clone(),
+                error: Some(record.errors.total),
+                fit: Some(record.clone()),
+            })
+            .collect();
+        sort(&mut entries);
+        Some(Self {
+            name,
+            source,
+            places: vec![found.to_owned()],
+            found: Some(found.to_owned()),
+            best: entries.first()?.brdf,
+            entries,
+        })
+    }
+}
+
+/// By ascending E, those without E last.
+fn sort(entries: &mut [Entry]) {
+    let error = |entry: &Entry| entry.error.unwrap_or(f64::INFINITY);
+    entries.sort_by(|a, b| error(a).total_cmp(&error(b)));
+}
+
 /// Sorts the entries of the file `path` by material and looks which measured files are there.
 ///
 /// Entries belong together if they were fitted to the same path or to the same bytes, or if none of them names a
@@ -193,8 +229,7 @@ pub fn by_material(path: &Path, entries: Vec<Entry>) -> Vec<MaterialFits> {
         });
     }
     for fits in &mut all {
-        let error = |entry: &Entry| entry.error.unwrap_or(f64::INFINITY);
-        fits.entries.sort_by(|a, b| error(a).total_cmp(&error(b)));
+        sort(&mut fits.entries);
         fits.best = fits.entries[0].brdf;
     }
     all

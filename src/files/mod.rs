@@ -4,6 +4,7 @@
 
 mod error;
 pub mod fits;
+pub mod folder;
 mod write;
 
 pub use error::FileError;

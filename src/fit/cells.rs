@@ -1,85 +1,13 @@
-//! Passes that go cell by cell in f64: the last digits of stage 1, and the errors that are reported.
+//! The last digits of stage 1, which single cells decide.
 
-use super::lanes::LANES;
-use super::outcome::Errors;
-use super::passes::Amplitudes;
+use super::lanes::{self, Kernel, LANES, Lanes, vectors};
+use super::passes::{Amplitudes, block_of, per_block};
 use super::regression::Limits;
 use super::sites::{Row, Sites};
 use super::vertex::{Cell, Sum};
+use pulp::Simd;
 use rayon::prelude::*;
-
-/// Calls `visit(channel, cell, is grazing)` for every cell of a row.
-fn for_each_cell(
-    sites: &Sites,
-    row: &Row,
-    shapes: &[f32],
-    mut visit: impl FnMut(usize, Cell, bool),
-) {
-    let count = row.blocks * LANES;
-    let shapes = &shapes[row.site_block * LANES..][..count];
-    let cos2 = sites.cos2_of(row);
-    let values = sites.values_of(row);
-    for (plane, lanes) in values.chunks_exact(LANES).enumerate() {
-        let block = plane / (3 * sites.copies);
-        for (lane, f) in lanes.iter().enumerate() {
-            if *f >= 0.0 {
-                let site = block * LANES + lane;
-                let cell = Cell {
-                    x: f64::from(shapes[site]),
-                    f: f64::from(*f),
-                    w: f64::from(row.weight[0]) + f64::from(row.weight[1]) * f64::from(cos2[site]),
-                };
-                visit(plane % 3, cell, site < row.grazing_end);
-            }
-        }
-    }
-}
-
-/// E in total and in parts. `with_grazing` says whether there is a grazing part to speak of.
-pub fn errors(
-    sites: &Sites,
-    shapes: &[f32],
-    amplitudes: &Amplitudes,
-    with_grazing: bool,
-) -> Errors {
-    #[derive(Clone, Copy, Default)]
-    struct Part {
-        error: [f64; 3],
-        energy: [f64; 3],
-        grazing: [f64; 2],
-    }
-    let parts: Vec<Part> = sites
-        .slabs
-        .par_iter()
-        .map(|slab| {
-            let mut part = Part::default();
-            for row in &sites.rows[slab.clone()] {
-                for_each_cell(sites, row, shapes, |channel, cell, grazing| {
-                    let model = amplitudes.diffuse[channel] + amplitudes.specular[channel] * cell.x;
-                    let error = cell.w * (model - cell.f).abs();
-                    part.error[channel] += error;
-                    part.energy[channel] += cell.w * cell.f;
-                    if grazing {
-                        part.grazing[0] += error;
-                        part.grazing[1] += cell.w * cell.f;
-                    }
-                });
-            }
-            part
-        })
-        .collect();
-    let mut sum = Part::default();
-    for part in parts {
-        (0..3).for_each(|k| sum.error[k] += part.error[k]);
-        (0..3).for_each(|k| sum.energy[k] += part.energy[k]);
-        (0..2).for_each(|k| sum.grazing[k] += part.grazing[k]);
-    }
-    Errors {
-        total: sum.error.iter().sum::<f64>() / sum.energy.iter().sum::<f64>(),
-        grazing: (with_grazing && sum.grazing[1] > 0.0).then(|| sum.grazing[0] / sum.grazing[1]),
-        channels: std::array::from_fn(|k| sum.error[k] / sum.energy[k]),
-    }
-}
+use std::ops::Range;
 
 /// Half width of the band of cells that the exact solution looks at, relative to the model, to begin with.
 const BAND: f64 = 2e-4;
@@ -105,7 +33,7 @@ pub fn exact(sites: &Sites, shapes: &[f32], near: &Amplitudes, limits: &Limits) 
         let moves: Vec<([f64; 2], bool)> = (0..3)
             .into_par_iter()
             .map(|k| {
-                let from = [at.diffuse[k], at.specular[k]];
+                let from = at.of(k);
                 if done[k] || sums[k].cells.len() > MOST_CELLS {
                     return (from, true);
                 }
@@ -154,7 +82,7 @@ fn gather(
     let bounds = |channel: usize| {
         std::array::from_fn(|k| {
             let (low, high) = limits.of(channel)[k];
-            let at = [at.diffuse[channel], at.specular[channel]][k];
+            let at = at.of(channel)[k];
             (
                 low.max(at - reach(channel, k)),
                 high.min(at + reach(channel, k)),
@@ -168,30 +96,19 @@ fn gather(
             bounds: bounds(channel),
         })
     };
-    let parts: Vec<[Sum; 3]> = sites
-        .slabs
-        .par_iter()
-        .map(|slab| {
-            let mut sums = empty();
-            for row in &sites.rows[slab.clone()] {
-                for_each_cell(sites, row, shapes, |channel, cell, _| {
-                    if done[channel] {
-                        return;
-                    }
-                    let model = at.diffuse[channel] + at.specular[channel] * cell.x;
-                    let r = model - cell.f;
-                    if band.is_infinite() || r.abs() <= band * (model + 2.0 * floor[channel]) {
-                        sums[channel].cells.push(cell);
-                    } else {
-                        let slope = cell.w * r.signum();
-                        sums[channel].linear[0] += slope;
-                        sums[channel].linear[1] += slope * cell.x;
-                    }
-                });
-            }
-            sums
+    let of_slab = |slab: &Range<usize>| {
+        lanes::dispatch(Gather {
+            sites,
+            rows: &sites.rows[slab.clone()],
+            shapes,
+            at,
+            band,
+            floor,
+            done,
+            sums: empty(),
         })
-        .collect();
+    };
+    let parts: Vec<[Sum; 3]> = sites.slabs.par_iter().map(of_slab).collect();
     let mut sums = empty();
     for part in parts {
         for (sum, part) in sums.iter_mut().zip(part) {
@@ -200,4 +117,82 @@ fn gather(
         }
     }
     sums
+}
+
+/// [`gather`] of a slab.
+struct Gather<'a> {
+    sites: &'a Sites,
+    rows: &'a [Row],
+    shapes: &'a [f32],
+    at: &'a Amplitudes,
+    band: f64,
+    floor: [f64; 3],
+    done: [bool; 3],
+    sums: [Sum; 3],
+}
+
+impl Kernel for Gather<'_> {
+    type Output = [Sum; 3];
+    #[inline(always)]
+    fn run<S: Simd>(mut self, simd: S) -> [Sum; 3] {
+        for channel in (0..3).filter(|channel| !self.done[*channel]) {
+            let mut sum = std::mem::take(&mut self.sums[channel]);
+            match self.sites.copies {
+                2 => self.channel::<S, 2>(simd, channel, &mut sum),
+                _ => self.channel::<S, 4>(simd, channel, &mut sum),
+            }
+            self.sums[channel] = sum;
+        }
+        self.sums
+    }
+}
+
+impl Gather<'_> {
+    #[inline(always)]
+    fn channel<S: Simd, const COPIES: usize>(&self, simd: S, channel: usize, sum: &mut Sum) {
+        let splat = |x: f32| Lanes::splat(simd, x);
+        let zero = splat(0.0);
+        let [a, b] = self.at.of(channel).map(|x| splat(x as f32));
+        let (band, floor) = if self.band.is_infinite() {
+            (zero, splat(f32::MAX))
+        } else {
+            let floor = 2.0 * self.band * self.floor[channel];
+            (splat(self.band as f32), splat(floor as f32))
+        };
+        for row in self.rows {
+            let [w0, w1] = row.weight.map(splat);
+            let shapes = &self.shapes[row.site_block * LANES..][..row.blocks * LANES];
+            let cos2 = vectors::<S>(self.sites.cos2_of(row));
+            let values = vectors::<S>(self.sites.values_of(row));
+            let mut linear = [zero; 2];
+            for (site, (cos2, x)) in cos2.iter().zip(vectors::<S>(shapes)).enumerate() {
+                let x = Lanes::new(simd, *x);
+                let weight = w1.mul_add(Lanes::new(simd, *cos2), w0);
+                let model = b.mul_add(x, a);
+                let width = band.mul_add(model, floor);
+                let values = block_of::<S, COPIES>(values, site);
+                for copy in 0..COPIES {
+                    let plane = (3 * copy + channel) * per_block::<S>();
+                    let measured = Lanes::new(simd, values[plane]);
+                    let r = model - measured;
+                    let present = weight.where_le(zero, measured);
+                    let near = present.where_le(r.abs(), width);
+                    let slope = (present - near).with_sign_of(r);
+                    linear[0] = linear[0] + slope;
+                    linear[1] = slope.mul_add(x, linear[1]);
+                    // Seldom.
+                    if near.total() > 0.0 {
+                        for lane in (0..S::F32_LANES).filter(|lane| near.lanes()[*lane] > 0.0) {
+                            sum.cells.push(Cell {
+                                x: x.lanes()[lane].into(),
+                                f: measured.lanes()[lane].into(),
+                                w: near.lanes()[lane].into(),
+                            });
+                        }
+                    }
+                }
+            }
+            (0..2).for_each(|k| sum.linear[k] += linear[k].total());
+        }
+    }
 }

@@ -12,7 +12,6 @@ use super::shape::{Lobe, Point, Shape, Threads};
 use super::{Problem, Watch, concerns, starts};
 use crate::brdf::{Brdf, Params, albedo};
 use descents::Level;
-use glam::DMat3;
 use std::ops::ControlFlow;
 
 /// A candidate's E over all cells, with the solution made exact.
@@ -28,6 +27,8 @@ pub(super) struct Engine<'a, 'w> {
     options: &'a Options,
     space: Space,
     watch: Watch<'w>,
+    /// What the watcher was last told.
+    shown: Option<Progress>,
     cancelled: bool,
     exhausted: bool,
     /// The starts that the data suggest, once they are asked for.
@@ -40,7 +41,7 @@ pub(super) struct Engine<'a, 'w> {
 }
 
 /// Fits what the variant contains, asking every now and then whether to go on.
-type Contained<'c> = &'c mut dyn FnMut(&mut dyn FnMut() -> ControlFlow<()>) -> Vec<Brdf>;
+type Contained<'c> = &'c mut dyn FnMut(&mut (dyn FnMut() -> ControlFlow<()> + Send)) -> Vec<Brdf>;
 
 impl<'a, 'w> Engine<'a, 'w> {
     pub fn new(
@@ -52,8 +53,9 @@ impl<'a, 'w> Engine<'a, 'w> {
         Self {
             problem,
             options,
-            space: Space::new(variant, options, problem.all.scale),
+            space: Space::new(variant, options, problem.units()),
             watch,
+            shown: None,
             cancelled: false,
             exhausted: false,
             starts: None,
@@ -148,11 +150,12 @@ impl<'a, 'w> Engine<'a, 'w> {
         );
         let mut start = objective.error(point);
         // Amplitudes that are given are where the stages begin, unless the first of them solves for its own.
-        if let Some(rho_d) = given.rho_d {
-            start.amplitudes.diffuse = rho_d.map(|x| x / std::f64::consts::PI / self.space.scale);
+        let amplitudes = self.space.units.amplitudes(&params);
+        if given.rho_d.is_some() {
+            start.amplitudes.diffuse = amplitudes.diffuse;
         }
-        if let Some(k_s) = given.k_s {
-            start.amplitudes.specular = k_s.map(|x| x / self.space.scale);
+        if given.k_s.is_some() {
+            start.amplitudes.specular = amplitudes.specular;
         }
         start.amplitudes = self.space.limits.clamp(start.amplitudes);
         start
@@ -182,7 +185,7 @@ impl<'a, 'w> Engine<'a, 'w> {
         let mut limits = self.space.limits;
         limits.diffuse = before.candidate.amplitudes.diffuse.map(|a| (a, a));
         let found = self.descend_levels(&before.candidate, Follow::Solved(limits));
-        vec![self.solve_exactly(&found, &limits)]
+        vec![self.last_word(found, &limits)]
     }
 
     /// Stage 4: from the data's starts on the small sample, from the best of these, from the end of the stages
@@ -215,11 +218,10 @@ impl<'a, 'w> Engine<'a, 'w> {
         let starts = self.starts().to_vec();
         let starts = starts.into_iter().map(|start| (start, None));
         let mut ends = self.descend_side_by_side(starts, &Level::coarse(self.problem), follow);
-        self.show_best(&ends);
         if self.cancelled {
+            found.extend(ends.first().map(|end| self.measure(end.0)));
             return found;
         }
-        ends.sort_by(|a, b| a.0.error.total_cmp(&b.0.error));
         let limit = ends
             .first()
             .map_or(f64::INFINITY, |best| 1.03 * best.0.error);
@@ -228,57 +230,56 @@ impl<'a, 'w> Engine<'a, 'w> {
         ends.truncate(2);
         ends.extend(near.into_iter().map(|candidate| (candidate, None)));
         let medium = Level::medium(self.problem);
-        let mut ends = self.descend_side_by_side(ends.into_iter(), &medium, follow);
-        self.show_best(&ends);
-        if self.cancelled {
-            return found;
-        }
-        ends.sort_by(|a, b| a.0.error.total_cmp(&b.0.error));
+        let ends = self.descend_side_by_side(ends.into_iter(), &medium, follow);
         if let Some((start, curvature)) = ends.first() {
+            if self.cancelled {
+                found.push(self.measure(*start));
+                return found;
+            }
             let end = self.descend_all(start, *curvature, follow);
-            let limits = self.space.limits;
-            found.push(self.solve_exactly(&end, &limits));
+            found.push(self.last_word(end, &self.space.limits));
         }
         found
     }
 
+    /// The end of a descent with its solution made exact, unless nobody waits for that.
+    fn last_word(&self, end: Candidate, limits: &Limits) -> Best {
+        if self.cancelled {
+            self.measure(end)
+        } else {
+            self.solve_exactly(&end, limits)
+        }
+    }
+
     /// E over all cells as it is reported.
-    fn measure(&self, candidate: Candidate) -> Best {
-        let shapes = self.shapes(candidate.point);
-        self.best_of(candidate, &shapes)
+    fn measure(&self, mut candidate: Candidate) -> Best {
+        let lobe = self.lobe(candidate.point);
+        let errors = self.problem.errors_of(&lobe, &candidate.amplitudes);
+        candidate.error = errors.total;
+        Best { candidate, errors }
     }
 
     /// The same after solving for the amplitudes, exactly.
     fn solve_exactly(&self, near: &Candidate, limits: &Limits) -> Best {
         let all = &self.problem.all;
-        let shapes = self.shapes(near.point);
+        let shapes = self.lobe(near.point).shapes(all);
         let (amplitudes, _) = regression::solve(
             all,
             &shapes,
             &near.amplitudes,
             limits,
-            Effort::CLOSE,
+            Effort::CLOSE.near_error(near.error),
             Threads::Many,
         );
         let amplitudes = cells::exact(all, &shapes, &amplitudes, limits);
-        self.best_of(
-            Candidate {
-                amplitudes,
-                ..*near
-            },
-            &shapes,
-        )
+        self.measure(Candidate {
+            amplitudes,
+            ..*near
+        })
     }
 
-    fn shapes(&self, point: Point) -> Vec<f32> {
-        Lobe::new(Shape::at(point), self.space.variant.fresnel).shapes(&self.problem.all)
-    }
-
-    fn best_of(&self, mut candidate: Candidate, shapes: &[f32]) -> Best {
-        let problem = self.problem;
-        let errors = cells::errors(&problem.all, shapes, &candidate.amplitudes, problem.grazing);
-        candidate.error = errors.total;
-        Best { candidate, errors }
+    fn lobe(&self, point: Point) -> Lobe {
+        Lobe::new(Shape::at(point), self.space.variant.fresnel)
     }
 
     fn brdf(&self, candidate: &Candidate) -> Brdf {
@@ -292,13 +293,6 @@ impl<'a, 'w> Engine<'a, 'w> {
         self.space
             .variant
             .with(self.space.params(candidate, self.options))
-    }
-
-    fn show_best(&mut self, ends: &[(Candidate, Option<DMat3>)]) {
-        let best = ends.iter().min_by(|a, b| a.0.error.total_cmp(&b.0.error));
-        if let Some((candidate, _)) = best {
-            let _ = self.report_progress(&candidate.clone(), candidate.error, false);
-        }
     }
 
     fn report_progress(
@@ -318,6 +312,7 @@ impl<'a, 'w> Engine<'a, 'w> {
             evaluations: self.evaluations,
             share: self.share(),
         };
+        self.shown = Some(progress);
         let flow = (self.watch)(&progress);
         self.cancelled |= flow.is_break();
         flow

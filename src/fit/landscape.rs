@@ -83,7 +83,7 @@ pub fn landscape(
             Eta::Fixed(_) => &problem.medium,
             Eta::Solved => &problem.coarse,
         },
-        space: Space::new(variant, &Options::default(), problem.all.scale),
+        space: Space::new(variant, &Options::default(), problem.units()),
         eta: match fresnel {
             Fresnel::None => Eta::Fixed(params::ETA.default),
             _ => eta,

@@ -77,6 +77,20 @@ impl<S: Simd> Lanes<S> {
         Self::from_bits(self.simd, self.simd.and_u32s(self.bits(), magnitude))
     }
 
+    /// |self| with the sign of another number.
+    #[inline(always)]
+    pub fn with_sign_of(self, other: Self) -> Self {
+        let simd = self.simd;
+        let sign = simd.and_u32s(other.bits(), simd.splat_u32s(0x8000_0000));
+        Self::from_bits(simd, simd.or_u32s(self.abs().bits(), sign))
+    }
+
+    /// One by one.
+    #[inline(always)]
+    pub fn lanes(&self) -> &[f32] {
+        bytemuck::cast_slice(std::slice::from_ref(&self.value))
+    }
+
     /// The larger.
     #[inline(always)]
     pub fn max(self, other: Self) -> Self {

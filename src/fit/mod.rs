@@ -25,6 +25,7 @@ mod shape;
 mod sites;
 pub mod start;
 mod starts;
+mod units;
 mod vertex;
 
 pub use options::{Options, Partial, STAGES, Stage, Variant, WEIGHTS, Weight};
@@ -34,8 +35,9 @@ pub use problem::{Problem, ProblemError};
 use engine::Engine;
 use std::ops::ControlFlow;
 
-/// Called with the best so far, several times a second and at least once a stage; may stop the fit.
-pub type Watch<'a> = &'a mut dyn FnMut(&Progress) -> ControlFlow<()>;
+/// Called with the best so far, at least every few hundredths of a second and once a stage; may stop the fit. Calls
+/// come one at a time, but from any thread of the pool.
+pub type Watch<'a> = &'a mut (dyn FnMut(&Progress) -> ControlFlow<()> + Send);
 
 /// Fits one variant.
 ///
@@ -53,7 +55,7 @@ pub fn fit_all(
     problem: &Problem,
     variants: &[Variant],
     options: &Options,
-    watch: &mut dyn FnMut(usize, &Progress) -> ControlFlow<()>,
+    watch: &mut (dyn FnMut(usize, &Progress) -> ControlFlow<()> + Send),
 ) -> Vec<Outcome> {
     let mut outcomes: Vec<Outcome> = Vec::new();
     for (position, variant) in variants.iter().enumerate() {

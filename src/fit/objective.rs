@@ -6,9 +6,9 @@ use super::passes::{self, Amplitudes};
 use super::regression::{self, Effort, Limits};
 use super::shape::{Lobe, Point, Shape, Threads};
 use super::sites::Sites;
+use super::units::Units;
 use crate::brdf::{Fresnel, ParamId, Params, params};
 use glam::DVec3;
-use std::f64::consts::PI;
 
 /// Half width of the band in which the sign of a residual is softened for slopes, relative to the model, as a share
 /// of the error: narrower than residuals commonly are, or the slopes would be those of another function.
@@ -35,13 +35,13 @@ pub struct Space {
     pub bounds: [(f64, f64); 3],
     /// Bounds of the amplitudes, likewise.
     pub limits: Limits,
-    /// The unit of the amplitudes.
-    pub scale: f64,
+    /// The units of the amplitudes.
+    pub units: Units,
 }
 
 impl Space {
-    /// The space of a variant; `scale` is the unit of the sites.
-    pub fn new(variant: Variant, options: &Options, scale: f64) -> Self {
+    /// The space of a variant.
+    pub fn new(variant: Variant, options: &Options, units: Units) -> Self {
         let row = |id| variant.model.param(id);
         let bounds = |id: ParamId, held: Option<f64>, missing: f64| match (held, row(id)) {
             (Some(value), Some(_)) => (value, value),
@@ -72,10 +72,10 @@ impl Space {
                 (ln_eta(eta.0), ln_eta(eta.1)),
             ],
             limits: Limits {
-                diffuse: amplitude(ParamId::RhoD, options.held.rho_d, PI * scale),
-                specular: amplitude(ParamId::KS, options.held.k_s, scale),
+                diffuse: amplitude(ParamId::RhoD, options.held.rho_d, units.rho_d),
+                specular: amplitude(ParamId::KS, options.held.k_s, units.k_s),
             },
-            scale,
+            units,
         }
     }
 
@@ -86,11 +86,8 @@ impl Space {
 
     /// The parameters of a candidate. Values that are held come out as they went in.
     pub fn params(&self, candidate: &Candidate, options: &Options) -> Params {
-        let mut params = Params {
-            rho_d: candidate.amplitudes.diffuse.map(|a| a * PI * self.scale),
-            k_s: candidate.amplitudes.specular.map(|b| b * self.scale),
-            ..Params::default()
-        };
+        let amplitudes = &candidate.amplitudes;
+        let mut params = self.units.with(amplitudes, Params::default());
         let Shape { s, alpha, eta } = Shape::at(candidate.point);
         params.s = s * self.variant.model.exponent_ratio;
         params.alpha = alpha;
@@ -225,7 +222,8 @@ impl<'a> Objective<'a> {
         let (start, effort) = match self.warm {
             Some((mut warm, before)) => {
                 warm.specular = warm.specular.map(|b| b * before / r0);
-                (warm, Effort::WARM)
+                let error = self.best.map_or(1.0, |best| best.error);
+                (warm, Effort::WARM.near_error(error))
             }
             None => (regression::cold(self.sites, &limits), Effort::COLD),
         };

@@ -3,8 +3,10 @@
 //! Sums are in f32 over a few rows, in f64 beyond; the parts are those of the θh slabs and are added in their order,
 //! so that the number of threads changes nothing.
 
+mod parts;
 mod sums;
 
+pub use parts::parts;
 pub use sums::{ChannelSums, regression};
 
 use super::lanes::{self, Kernel, LANES, Lanes, vectors};
@@ -21,6 +23,14 @@ pub struct Amplitudes {
     pub diffuse: [f64; 3],
     /// k_s
     pub specular: [f64; 3],
+}
+
+impl Amplitudes {
+    /// Both of a channel.
+    #[inline(always)]
+    pub fn of(&self, channel: usize) -> [f64; 2] {
+        [self.diffuse[channel], self.specular[channel]]
+    }
 }
 
 /// The largest f32 below 1.
@@ -101,13 +111,13 @@ impl<S: Simd> RowLanes<S> {
 
 /// Vectors per block.
 #[inline(always)]
-const fn per_block<S: Simd>() -> usize {
+pub const fn per_block<S: Simd>() -> usize {
     LANES / S::F32_LANES
 }
 
 /// The values at the sites of the `vector`-th vector of a row: every [`per_block`]-th of what is returned.
 #[inline(always)]
-fn block_of<S: Simd, const COPIES: usize>(values: &[S::f32s], vector: usize) -> &[S::f32s] {
+pub fn block_of<S: Simd, const COPIES: usize>(values: &[S::f32s], vector: usize) -> &[S::f32s] {
     let block = 3 * COPIES * per_block::<S>();
     let start = vector / per_block::<S>() * block + vector % per_block::<S>();
     &values[start..][..block - per_block::<S>() + 1]

@@ -1,5 +1,6 @@
 //! The data of a fit: a table, a weight and a grazing limit, arranged for passes.
 
+use super::engine;
 use super::lanes::LANES;
 use super::objective::Space;
 use super::options::{GRAZING, Options, Variant, Weight};
@@ -7,10 +8,10 @@ use super::outcome::Errors;
 use super::passes::{self, Amplitudes};
 use super::shape::{Lobe, Shape, Threads};
 use super::sites::{Sampling, Sites};
-use super::{cells, engine};
+use super::units::Units;
 use crate::brdf::Brdf;
 use crate::measured::Table;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
 /// A table, a weight and a grazing limit: what the error of a model is measured on.
 ///
@@ -75,24 +76,28 @@ impl Problem {
         passes::error(&lobe, &self.all, &amplitudes, Threads::Many)
     }
 
-    /// E of a model in total and in parts, with sums in f64.
+    /// E of a model in total and in parts; one pass.
     pub fn errors(&self, brdf: &Brdf) -> Errors {
         let (lobe, amplitudes) = self.parts(brdf);
-        cells::errors(
-            &self.all,
-            &lobe.shapes(&self.all),
-            &amplitudes,
-            self.grazing,
-        )
+        self.errors_of(&lobe, &amplitudes)
+    }
+
+    pub(super) fn errors_of(&self, lobe: &Lobe, amplitudes: &Amplitudes) -> Errors {
+        let all = &self.all;
+        let parts = passes::parts(lobe, all, amplitudes, Threads::Many);
+        Errors {
+            total: parts.channels.iter().sum(),
+            grazing: (self.grazing && all.grazing_share > 0.0)
+                .then(|| parts.grazing / all.grazing_share),
+            channels: std::array::from_fn(|k| parts.channels[k] / all.shares[k]),
+        }
     }
 
     /// The model with the best ρ_d and k_s within their default bounds for its (s, α, η): stage 1.
     pub fn with_best_amplitudes(&self, brdf: &Brdf) -> Brdf {
-        let space = Space::new(Variant::from(brdf), &Options::default(), self.all.scale);
+        let space = Space::new(Variant::from(brdf), &Options::default(), self.units());
         let amplitudes = engine::best_amplitudes(self, brdf, &space.limits);
-        let mut params = brdf.params;
-        params.rho_d = amplitudes.diffuse.map(|a| a * PI * self.all.scale);
-        params.k_s = amplitudes.specular.map(|b| b * self.all.scale);
+        let params = space.units.with(&amplitudes, brdf.params);
         Brdf { params, ..*brdf }
     }
 
@@ -101,12 +106,13 @@ impl Problem {
         self.all.bytes()
     }
 
+    pub(super) fn units(&self) -> Units {
+        Units::new(self.all.scale)
+    }
+
     pub(super) fn parts(&self, brdf: &Brdf) -> (Lobe, Amplitudes) {
         let shape = Shape::of(Variant::from(brdf), &brdf.params);
-        let amplitudes = Amplitudes {
-            diffuse: brdf.params.rho_d.map(|rho_d| rho_d / PI / self.all.scale),
-            specular: brdf.params.k_s.map(|k_s| k_s / self.all.scale),
-        };
+        let amplitudes = self.units().amplitudes(&brdf.params);
         (Lobe::new(shape, brdf.fresnel), amplitudes)
     }
 }

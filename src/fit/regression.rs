@@ -45,7 +45,7 @@ impl Limits {
 /// How long to go on.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
-    /// Stop where a step promises less than this share of the error.
+    /// Where a step promises less than this share of the error, it is the last.
     pub tolerance: f64,
     /// Passes at most.
     pub passes: usize,
@@ -58,30 +58,38 @@ pub struct Effort {
 impl Effort {
     /// From nowhere in particular.
     pub const COLD: Self = Self {
-        tolerance: 1e-4,
+        tolerance: 1e-3,
         passes: 12,
         band: 2.0,
         narrow: 0.2,
     };
     /// From the solution of a shape nearby.
     pub const WARM: Self = Self {
-        tolerance: 1e-5,
+        tolerance: 3e-4,
         passes: 6,
         band: 0.02,
-        narrow: 0.2,
+        narrow: 0.05,
     };
-    /// So near that [`super::cells::exact`] has little left to do.
+    /// As near as [`super::cells::exact`] has little left to do.
     pub const CLOSE: Self = Self {
-        tolerance: 1e-8,
+        tolerance: 1e-7,
         passes: 16,
         band: 0.1,
         narrow: 0.03,
     };
+
+    /// Near a solution with this error: no more rounded off, from the first pass on, than that needs.
+    pub fn near_error(self, error: f64) -> Self {
+        let band = (self.narrow * error).max(0.1 * self.band).min(self.band);
+        Self { band, ..self }
+    }
 }
 
 /// The narrowest band, for data that a model meets exactly, and the widest to end with.
 const NARROWEST: f64 = 1e-6;
 const WIDEST: f64 = 0.03;
+/// The band to end with changes a little with the error; this much wider will do.
+const NARROW_ENOUGH: f64 = 1.5;
 /// How much of the parabola is added to the curvature, which few residuals within the band may leave too small.
 const SAFEGUARD: f64 = 0.02;
 
@@ -188,15 +196,19 @@ impl Descent {
         let step = step_within(slope, matrix, self.best, bounds);
         let gain = -value(slope, matrix, step);
         let met = error <= 1e-8 * share || !gain.is_finite();
-        if met || (gain <= tolerance * error && self.band <= narrow) {
+        self.at = [self.best[0] + step[0], self.best[1] + step[1]];
+        for (x, (low, high)) in self.at.iter_mut().zip(bounds) {
+            *x = x.clamp(*low, *high);
+        }
+        if met {
+            self.done = true;
+        } else if !self.done && gain <= tolerance * error && self.band <= NARROW_ENOUGH * narrow {
+            // So short a step needs no look at where it leads.
+            self.best = self.at;
             self.done = true;
         }
         if gain <= 0.1 * error {
             self.band = (0.2 * self.band).max(narrow);
-        }
-        self.at = [self.best[0] + step[0], self.best[1] + step[1]];
-        for (x, (low, high)) in self.at.iter_mut().zip(bounds) {
-            *x = x.clamp(*low, *high);
         }
     }
 }

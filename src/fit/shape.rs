@@ -8,6 +8,7 @@ use super::sites::{Row, Sites};
 use crate::brdf::{Fresnel, Params};
 use crate::measured::Grid;
 use crate::measured::grid::{THETA_D_BINS, THETA_H_BINS};
+use std::sync::LazyLock;
 
 /// What a search moves: (ln s, α, ln(η − 1)). In these a step means about the same anywhere.
 pub type Point = [f64; 3];
@@ -52,16 +53,38 @@ impl Shape {
     }
 }
 
-/// A shape made ready for passes.
-#[derive(Clone, Debug)]
-pub struct Lobe {
-    shape: Shape,
+/// What all lobes need of the angles of the grid.
+#[derive(Debug)]
+struct Angles {
     /// 2 sin²θh per bin.
     twice_sin2_h: [f64; THETA_H_BINS],
     /// 1 − cos⁴θh per bin.
     versine4_h: [f64; THETA_H_BINS],
+    /// cos θd per bin.
+    cos_d: [f64; THETA_D_BINS],
     /// (cos²θd, sin²θd) per bin.
     squares_d: [(f64, f64); THETA_D_BINS],
+}
+
+static ANGLES: LazyLock<Angles> = LazyLock::new(|| {
+    let grid = Grid::FOLDED;
+    let theta_h = |h: usize| grid.center(h, 0, 0).theta_h;
+    let theta_d = |d: usize| grid.center(0, d, 0).theta_d;
+    let sin2_h = |h: usize| theta_h(h).sin().powi(2);
+    Angles {
+        twice_sin2_h: std::array::from_fn(|h| 2.0 * sin2_h(h)),
+        // 1 − cos⁴ = sin² (1 + cos²)
+        versine4_h: std::array::from_fn(|h| sin2_h(h) * (1.0 + theta_h(h).cos().powi(2))),
+        cos_d: std::array::from_fn(|d| theta_d(d).cos()),
+        squares_d: std::array::from_fn(|d| (theta_d(d).cos().powi(2), theta_d(d).sin().powi(2))),
+    }
+});
+
+/// A shape made ready for passes.
+#[derive(Clone, Debug)]
+pub struct Lobe {
+    shape: Shape,
+    angles: &'static Angles,
     /// R_F per bin of θd.
     fresnel: [f64; THETA_D_BINS],
     /// ∂ ln R_F / ∂ ln(η − 1) per bin of θd.
@@ -90,11 +113,8 @@ pub struct RowLobe {
 impl Lobe {
     /// Of a shape with a Fresnel factor.
     pub fn new(shape: Shape, fresnel: Fresnel) -> Self {
-        let grid = Grid::FOLDED;
-        let cos_h = |h: usize| grid.center(h, 0, 0).theta_h.cos();
-        let sin2_h = |h: usize| grid.center(h, 0, 0).theta_h.sin().powi(2);
-        let theta_d = |d: usize| grid.center(0, d, 0).theta_d;
-        let reflectance = |d: usize, eta: f64| fresnel.reflectance(theta_d(d).cos(), eta);
+        let angles = &*ANGLES;
+        let reflectance = |d: usize, eta: f64| fresnel.reflectance(angles.cos_d[d], eta);
         // A central difference in ln(η − 1): good to 1e-8, and right for any row of FRESNELS.
         const STEP: f64 = 1e-4;
         let moved = |by: f64| 1.0 + (shape.eta - 1.0) * by.exp();
@@ -104,12 +124,7 @@ impl Lobe {
         };
         Self {
             shape,
-            twice_sin2_h: std::array::from_fn(|h| 2.0 * sin2_h(h)),
-            // 1 − cos⁴ = sin² (1 + cos²)
-            versine4_h: std::array::from_fn(|h| sin2_h(h) * (1.0 + cos_h(h).powi(2))),
-            squares_d: std::array::from_fn(|d| {
-                (theta_d(d).cos().powi(2), theta_d(d).sin().powi(2))
-            }),
+            angles,
             fresnel: std::array::from_fn(|d| reflectance(d, shape.eta)),
             fresnel_slope: std::array::from_fn(slope),
         }
@@ -118,9 +133,9 @@ impl Lobe {
     /// Its numbers in a row.
     #[inline]
     pub fn row(&self, row: &Row) -> RowLobe {
-        let twice_sin2_h = self.twice_sin2_h[row.theta_h];
-        let versine4 = self.versine4_h[row.theta_h];
-        let (cos2_d, sin2_d) = self.squares_d[row.theta_d];
+        let twice_sin2_h = self.angles.twice_sin2_h[row.theta_h];
+        let versine4 = self.angles.versine4_h[row.theta_h];
+        let (cos2_d, sin2_d) = self.angles.squares_d[row.theta_d];
         RowLobe {
             versine: [
                 (twice_sin2_h * cos2_d) as f32,

@@ -73,6 +73,8 @@ pub struct Sites {
     pub scale: f64,
     /// Σ w f per channel, of the sum over all.
     pub shares: [f64; 3],
+    /// Σ w f of the grazing cells, of the sum over all.
+    pub grazing_share: f64,
 }
 
 impl Sites {
@@ -140,6 +142,7 @@ impl Sites {
             cells: slabs.iter().map(|slab| slab.cells).sum(),
             scale,
             shares: sums.map(|sum| sum / total),
+            grazing_share: slabs.iter().map(|slab| slab.grazing).sum::<f64>() / total,
         };
         sites.cos2.resize(phi_d_bins.len() + LANES, 0.0);
         for slab in slabs {
@@ -204,6 +207,7 @@ struct Slab {
     blocks: usize,
     cells: usize,
     sums: [f64; 3],
+    grazing: f64,
     weights: f64,
     /// Row weights are in this unit, as f32 hold no 1e-40.
     unit: f64,
@@ -250,6 +254,10 @@ impl Slab {
                 -cos_d * sin_d * across * across,
             ),
         };
+        let grazing_end = (first..cos_phi.len())
+            .find(|k| smaller(*k) > GRAZING.cos())
+            .unwrap_or(cos_phi.len())
+            - first;
         let sites = cos_phi.len() - first;
         let blocks = sites.div_ceil(LANES);
         let values_start = self.values.len();
@@ -268,14 +276,12 @@ impl Slab {
                 self.cells += 1;
                 for channel in 0..3 {
                     row[place(copies, site, copy, channel)] = cell[channel];
-                    self.sums[channel] += w * f64::from(cell[channel]);
+                    let energy = w * f64::from(cell[channel]);
+                    self.sums[channel] += energy;
+                    self.grazing += if site < grazing_end { energy } else { 0.0 };
                 }
             }
         }
-        let grazing_end = (first..cos_phi.len())
-            .find(|k| smaller(*k) > GRAZING.cos())
-            .unwrap_or(cos_phi.len())
-            - first;
         self.rows.push(Row {
             theta_h,
             theta_d,

@@ -16,7 +16,7 @@ pub struct Cell {
 }
 
 /// The sum to be minimised.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sum {
     /// Cells whose residual may change its sign.
     pub cells: Vec<Cell>,
@@ -122,21 +122,34 @@ impl Sum {
                 high = high.min(ends[0].max(ends[1]));
             }
         }
-        kinks.sort_unstable_by(|p, q| p.0.total_cmp(&q.0));
-        let mut lowest = if slope >= 0.0 { low } else { high };
-        for (t, weight) in kinks {
-            if slope >= 0.0 {
-                break;
-            }
-            slope += 2.0 * weight;
-            if slope >= 0.0 {
-                lowest = t;
-            }
-        }
+        let lowest = if slope >= 0.0 {
+            low
+        } else {
+            turn(&mut kinks, slope).unwrap_or(high)
+        };
         (low <= high)
             .then(|| lowest.clamp(low, high))
             .filter(|t| t.is_finite())
     }
+}
+
+/// The first kink, by place, at which a slope below 0 is no longer: it grows by twice the weight of each.
+fn turn(mut kinks: &mut [(f64, f64)], mut slope: f64) -> Option<f64> {
+    // Halves rather than all in order: one of them is done with each time.
+    while kinks.len() > 1 {
+        let middle = (kinks.len() - 1) / 2;
+        kinks.select_nth_unstable_by(middle, |p, q| p.0.total_cmp(&q.0));
+        let (first, rest) = kinks.split_at_mut(middle + 1);
+        let after = slope + 2.0 * first.iter().map(|kink| kink.1).sum::<f64>();
+        if after >= 0.0 {
+            kinks = first;
+        } else {
+            slope = after;
+            kinks = rest;
+        }
+    }
+    let (place, weight) = *kinks.first()?;
+    (slope + 2.0 * weight >= 0.0).then_some(place)
 }
 
 #[cfg(test)]

@@ -155,8 +155,12 @@ pub fn byte_count(grid: Grid) -> u64 {
     (HEADER_BYTES + 3 * 8 * grid.len()) as u64
 }
 
-/// Reads the three dimensions and holds them and the length against what there may be.
-fn read_header(reader: &mut impl Read, len: u64) -> Result<Grid, MerlError> {
+/// Reads the three dimensions and holds them and the length against what there may be: all that can be said without
+/// the data.
+///
+/// # Errors
+/// As [`read`], less what only the data show.
+pub fn read_header(reader: &mut impl Read, len: u64) -> Result<Grid, MerlError> {
     let mut header = [0; HEADER_BYTES];
     let found = read_fully(reader, &mut header)?;
     if found == 0 {

@@ -6,6 +6,7 @@ pub mod albedo;
 pub mod grid;
 pub mod lookup;
 pub mod merl;
+mod overview;
 pub mod samples;
 pub mod stats;
 pub mod table;

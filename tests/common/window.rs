@@ -18,6 +18,7 @@ pub type Window = Harness<'static, App>;
 pub fn window(files: Vec<PathBuf>, to_open: Vec<PathBuf>) -> Window {
     let picker = Picker {
         open: Arc::new(move || to_open.clone()),
+        folder: Arc::new(|| None),
         save: Arc::new(|_| None),
     };
     let mut window = Harness::builder()

@@ -210,6 +210,36 @@ fn a_cancelled_fit_keeps_the_best_so_far() {
 }
 
 #[test]
+fn every_shape_that_is_tried_is_a_chance_to_stop() {
+    let problem = problem(&thinned(sample("copper-glaze"), 8));
+    let phong = variant("phong", Fresnel::Exact);
+    let options = Options {
+        stages: [false, false, false, true],
+        ..Options::default()
+    };
+    let (whole, said) = watched(&problem, phong, &options);
+    let chances = |said: &[usize]| said.windows(2).all(|pair| pair[1] <= pair[0] + 1);
+    let tried: Vec<usize> = said.iter().map(|progress| progress.evaluations).collect();
+    assert!(chances(&tried), "{tried:?}");
+    assert_eq!(tried.last(), Some(&whole.evaluations));
+    // Planted: a descent of which only the end is heard.
+    assert!(!chances(&[tried[0], tried[tried.len() - 1]]));
+    for calls in [tried.len() / 4, tried.len() / 2, tried.len() - 2] {
+        let mut count = 0;
+        let outcome = fit::fit(&problem, phong, &options, &mut |_| {
+            count += 1;
+            if count == calls {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        });
+        assert_eq!((outcome.ended, count), (Ended::Cancelled, calls));
+        assert_eq!(problem.errors(&outcome.brdf), outcome.errors);
+    }
+}
+
+#[test]
 fn cancelling_several_returns_those_so_far() {
     let problem = problem(&thinned(sample("copper-glaze"), 8));
     let variants = Variant::all(Fresnel::Exact);

@@ -337,6 +337,7 @@ pub(super) fn entries() -> Vec<Entry> {
         None,
         "Version and graphics adapter",
     );
+    super::folder_entries::insert(&mut list);
     list
 }
 

@@ -2,6 +2,7 @@
 
 use crate::brdf::params::ALL;
 use crate::brdf::{Brdf, Fresnel, ParamId};
+use crate::files::SourceFile;
 use crate::files::fits::FitRecord;
 use crate::fit::options::NO_LIMIT;
 use crate::fit::{
@@ -154,6 +155,17 @@ impl KeptFit {
     /// What was fitted.
     pub fn variant(&self) -> Variant {
         Variant::from(&self.outcome.brdf)
+    }
+
+    /// The same as fit files keep it.
+    pub fn record(&self, material: String, source: Option<SourceFile>) -> FitRecord {
+        let Setup {
+            weight,
+            limit,
+            options,
+        } = &self.setup;
+        let asked = (*weight, limit.to_degrees());
+        FitRecord::new(material, source, asked, options, &self.outcome)
     }
 
     /// Whether it was stopped before its end.

@@ -136,10 +136,12 @@ impl State {
     /// Keeps a fit of a material in place of the one of the same variant.
     ///
     /// One that was cancelled does not replace one that was made with the same setup and ran to its end.
+    /// Of a file, it is kept with the path too: the file may be opened again.
     pub fn keep_fit(&mut self, material: MaterialId, mut fit: KeptFit) {
         let Some(material) = self.materials.get_mut(&material) else {
             return;
         };
+        let variant = fit.variant();
         match material
             .fits
             .iter_mut()
@@ -154,6 +156,10 @@ impl State {
                 *kept = fit;
             }
             None => material.fits.push(fit),
+        }
+        if let (Some(path), Some(kept)) = (material.file(), material.fit(variant)) {
+            let record = kept.record(material.name.clone(), material.source.clone());
+            self.library.keep_fit(&path, record);
         }
     }
 
@@ -182,9 +188,12 @@ impl State {
 
     /// Why no fit can be started now, in words.
     pub fn fit_blocked(&self) -> Option<&'static str> {
-        let Some((_, opened)) = self.current() else {
+        let Some((material, opened)) = self.current() else {
             return Some("Open a material first.");
         };
+        if material.is_loading() {
+            return Some("The data of this material are being loaded.");
+        }
         self.fit.settings.blocked(&opened.brdf)
     }
 }

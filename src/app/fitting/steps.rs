@@ -170,7 +170,10 @@ fn ask_for_amplitudes(state: &mut State, as_step: bool) -> Vec<Task> {
 
 fn resolve_now(state: &mut State, as_step: bool) -> Vec<Task> {
     let number = state.fresh_id();
-    let Some((material, opened)) = state.current() else {
+    let Some((material, opened)) = state
+        .current()
+        .filter(|(material, _)| !material.is_loading())
+    else {
         return Vec::new();
     };
     vec![Task::Resolve(Resolve {

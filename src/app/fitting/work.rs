@@ -2,7 +2,7 @@
 
 use super::{FitMsg, FitTask, Heard, Resolve, Setup, Timed};
 use crate::app::jobs::Outbox;
-use crate::app::state::{CancelFlag, MaterialId};
+use crate::app::state::CancelFlag;
 use crate::app::update::Msg;
 use crate::fit::{self, Problem, ProblemError, Progress, Weight};
 use crate::measured::Table;
@@ -10,7 +10,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Sender, channel};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
@@ -36,8 +36,14 @@ struct Shared {
     resolve_pool: Option<ThreadPool>,
 }
 
-#[derive(PartialEq)]
-struct Key(MaterialId, Weight, u64);
+/// The table is known by its place in memory, which the weak reference keeps from being used again.
+struct Key(Weak<Table>, Weight, u64);
+
+impl PartialEq for Key {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.ptr_eq(&other.0) && (self.1, self.2) == (other.1, other.2)
+    }
+}
 
 impl Fitter {
     /// Starts the thread that re-solves. It ends with the fitter.
@@ -131,7 +137,7 @@ impl Shared {
     fn run_fit(&self, task: &FitTask) -> Result<Vec<Timed>, String> {
         let pool = self.fit_pool.as_ref();
         let problem = self
-            .problem(pool, task.material, &task.table, &task.setup)
+            .problem(pool, &task.table, &task.setup)
             .map_err(|error| error.to_string())?;
         let mut clock = Clock::start(task.variants.len());
         let mut watch = |position: usize, progress: &Progress| {
@@ -184,7 +190,7 @@ impl Shared {
     fn resolve(&self, resolve: &Resolve) {
         let work = || {
             let pool = self.resolve_pool.as_ref();
-            let problem = self.problem(pool, resolve.material, &resolve.table, &resolve.setup)?;
+            let problem = self.problem(pool, &resolve.table, &resolve.setup)?;
             Ok(install(pool, || {
                 problem.with_best_amplitudes(&resolve.brdf)
             }))
@@ -205,11 +211,10 @@ impl Shared {
     fn problem(
         &self,
         pool: Option<&ThreadPool>,
-        material: MaterialId,
-        table: &Table,
+        table: &Arc<Table>,
         setup: &Setup,
     ) -> Result<Arc<Problem>, ProblemError> {
-        let key = Key(material, setup.weight, setup.limit.to_bits());
+        let key = Key(Arc::downgrade(table), setup.weight, setup.limit.to_bits());
         let mut kept = lock(&self.problem);
         if let Some((_, problem)) = kept.as_ref().filter(|(other, _)| *other == key) {
             return Ok(Arc::clone(problem));

@@ -3,6 +3,7 @@
 use crate::app::command::{Command, ENTRIES, Entry, MENUS};
 use crate::app::state::State;
 use crate::app::update::Msg;
+use crate::files::folder::shown_name;
 
 /// Draws the bar.
 pub fn menu_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
@@ -55,11 +56,10 @@ fn recent_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     ui.add_enabled_ui(!state.prefs.recent.is_empty(), |ui| {
         ui.menu_button("Open recent", |ui| {
             for (index, path) in state.prefs.recent.iter().enumerate() {
-                let name = path
-                    .file_name()
-                    .unwrap_or(path.as_os_str())
-                    .display()
-                    .to_string();
+                let mut name = shown_name(path);
+                if state.prefs.folder.as_ref() == Some(path) {
+                    name.push('/');
+                }
                 if ui
                     .button(name)
                     .on_hover_text(path.display().to_string())

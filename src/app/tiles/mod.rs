@@ -12,6 +12,7 @@ mod lobe3d;
 pub mod lobe3d_callback;
 mod lobes;
 mod panes;
+mod scatter;
 mod slices;
 mod slices_bar;
 mod sphere;

@@ -1,6 +1,6 @@
 //! The kinds of tiles, as rows: name, help, and what draws them.
 
-use super::{albedo, error_map, fits, image, landscape, lobe3d, lobes, slices, sphere};
+use super::{albedo, error_map, fits, image, landscape, lobe3d, lobes, scatter, slices, sphere};
 use crate::app::state::State;
 use crate::app::update::Msg;
 use serde::{Deserialize, Serialize};
@@ -12,6 +12,7 @@ pub enum Pane {
     Sphere,
     Fits,
     Landscape,
+    Scatter,
     Lobes,
     Slices,
     Albedo,
@@ -87,6 +88,18 @@ pub const PANES: &[Row] = &[
         ui: landscape::landscape_ui,
     },
     Row {
+        pane: Pane::Scatter,
+        key: "scatter",
+        name: "Materials",
+        help: [
+            "Every material with a fit of the combined model: α over s.",
+            "At α = 0 a material is Phong-like, at α = 1 Blinn-Phong-like. Open ones have a ring.",
+            "Point to read a name and its numbers; a click shows that material.",
+        ],
+        home: Home::Upper,
+        ui: scatter::scatter_ui,
+    },
+    Row {
         pane: Pane::Lobes,
         key: "lobes",
         name: "Polar lobes",
@@ -105,7 +118,7 @@ pub const PANES: &[Row] = &[
         help: [
             "f_r over one angle with the others fixed, and what is between model and measurement below.",
             "The wheel zooms the angle, over the numbers at the left or with Ctrl the values; drag to pan, double click resets.",
-            "Point to read values, click to pin. \"Follow probe\" takes the fixed angles from the other views.",
+            "Point to read values, click to pin. \"Follow\" takes the fixed angles from the other views.",
         ],
         home: Home::Lower,
         ui: slices::slices_ui,

@@ -106,7 +106,7 @@ fn interact(
     }
     probe::hover(state, under, out);
     if let (Some(probe), Some(x)) = (under, plot.x_at(point)) {
-        let head = format!("{} {:.2}°", spec.over.name(), x.to_degrees());
+        let head = format!("{} {:.2}°", spec.over.name(), x.to_degrees()).replace('-', "−");
         controls::values_tooltip(response, state, probe, spec.channel, &head);
     }
 }

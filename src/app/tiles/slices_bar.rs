@@ -16,7 +16,7 @@ const MOST: usize = 5;
 pub fn toolbar_ui(ui: &mut egui::Ui, view: &SlicesView, shown: &SliceSpec, out: &mut Vec<Msg>) {
     let mut changed = view.clone();
     ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 6.0;
+        ui.spacing_mut().item_spacing.x = 5.0;
         let spec = &mut changed.spec;
         for over in OVERS {
             let response = ui.selectable_label(spec.over == over, over.name());
@@ -27,14 +27,13 @@ pub fn toolbar_ui(ui: &mut egui::Ui, view: &SlicesView, shown: &SliceSpec, out: 
             }
         }
         ui.separator();
+        let over = spec.over;
         angles_ui(ui, spec, shown);
-        let before = spec.clone();
-        follow_ui(ui, &mut changed.follow);
-        if before != view.spec {
+        if over == view.spec.over && changed.spec != view.spec {
             // An angle that is set by hand is not the probe's.
             changed.follow = false;
         }
-        ui.separator();
+        follow_ui(ui, &mut changed.follow);
         shown_ui(ui, &mut changed.spec);
     });
     if changed != *view {
@@ -43,7 +42,7 @@ pub fn toolbar_ui(ui: &mut egui::Ui, view: &SlicesView, shown: &SliceSpec, out: 
 }
 
 fn follow_ui(ui: &mut egui::Ui, follow: &mut bool) {
-    ui.toggle_value(follow, "Follow probe")
+    ui.toggle_value(follow, "Follow")
         .on_hover_text("Take the fixed angles from the probe of the other views");
 }
 
@@ -103,7 +102,7 @@ fn angles_ui(ui: &mut egui::Ui, spec: &mut SliceSpec, shown: &SliceSpec) {
 /// Scale, residual, channel, cosine.
 fn shown_ui(ui: &mut egui::Ui, spec: &mut SliceSpec) {
     let scales: Vec<(RadialScale, &str)> = RADIAL_SCALES.map(|s| (s, s.name())).to_vec();
-    if let Some(scale) = sized_choice_ui(ui, "Scale", spec.scale, &scales, 78.0) {
+    if let Some(scale) = sized_choice_ui(ui, "Scale", spec.scale, &scales, 66.0) {
         (spec.scale, spec.limits) = (scale, None);
     }
     let residuals: Vec<(Residual, &str)> = RESIDUALS.map(|r| (r, r.name())).to_vec();

@@ -44,6 +44,15 @@ pub fn sphere_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
     if let Show::Error(error) = tile.show {
         sphere_error::bar(ui, rect, &spheres[1], error, tile.view.exposure_stops);
     }
+    if let Some(text) = state.loading() {
+        let (at, weak) = (
+            rect.center_bottom() - vec2(0.0, 2.0),
+            ui.visuals().weak_text_color(),
+        );
+        let font = FontId::proportional(12.0);
+        ui.painter()
+            .text(at, Align2::CENTER_BOTTOM, text, font, weak);
+    }
     marks(ui, state, tile, &spheres);
     interact(ui, &response, state, &spheres, out);
     response.contains_pointer()

@@ -2,6 +2,7 @@
 
 use super::sphere::OnScreen;
 use super::sphere_error;
+use crate::app::library::Presence;
 use crate::app::state::{Material, MaterialId, Opened, State};
 use crate::geom::sphere_error::SphereError;
 use crate::gpu::sphere_pass::{SpherePass, SphereSlot, SphereUniform};
@@ -13,7 +14,10 @@ use eframe::egui_wgpu::{
 use eframe::wgpu;
 use egui::PaintCallbackInfo;
 use std::collections::HashMap;
-use std::sync::Arc;
+use std::sync::{Arc, Weak};
+
+/// How many tables stay on the GPU.
+const TEXTURES: usize = 4;
 
 /// What a sphere on screen shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,22 +80,40 @@ pub fn paint(
         _ => (uniform, false),
     };
     let callback = SphereCallback {
-        // Two spheres are told apart by what they show.
-        key: (opened.id, matches!(sphere.half, Half::Model) || compared),
+        // Two spheres are told apart by what they show. Without data all are the same.
+        key: (
+            (material.table.valid_count() > 0).then_some(opened.id),
+            matches!(sphere.half, Half::Model) || compared,
+        ),
         compared,
         table: Arc::clone(&material.table),
-        open: scene.opened.iter().map(|opened| opened.id).collect(),
+        kept: kept(state),
         uniform,
     };
     painter.add(Callback::new_paint_callback(sphere.rect, callback));
 }
 
-type Key = (MaterialId, bool);
+/// The materials whose textures are worth keeping: open ones whose tables are in memory, those shown lately.
+fn kept(state: &State) -> Vec<Option<MaterialId>> {
+    let opened = state.scene.opened.iter();
+    let mut held: Vec<(u64, MaterialId)> = opened
+        .filter_map(|opened| Some((opened.id, state.materials.get(&opened.id)?)))
+        .filter(|(_, material)| material.presence == Presence::Here)
+        .map(|(id, material)| (material.last_shown, id))
+        .collect();
+    held.sort_by_key(|(last_shown, _)| std::cmp::Reverse(*last_shown));
+    let lately = held.into_iter().take(TEXTURES).map(|(_, id)| Some(id));
+    lately.chain([None]).collect()
+}
+
+/// `None` where there are no data.
+type Key = (Option<MaterialId>, bool);
 
 /// What stays on the GPU.
 struct Kept {
     pass: SpherePass,
-    tables: HashMap<MaterialId, TableTexture>,
+    /// With the data they are of.
+    tables: HashMap<Option<MaterialId>, (Weak<Table>, TableTexture)>,
     slots: HashMap<Key, SphereSlot>,
 }
 
@@ -99,8 +121,7 @@ struct SphereCallback {
     key: Key,
     compared: bool,
     table: Arc<Table>,
-    /// The materials whose textures are worth keeping.
-    open: Vec<MaterialId>,
+    kept: Vec<Option<MaterialId>>,
     uniform: SphereUniform,
 }
 
@@ -121,13 +142,20 @@ impl CallbackTrait for SphereCallback {
         else {
             return Vec::new();
         };
-        tables.retain(|id, _| self.open.contains(id));
-        slots.retain(|(id, _), _| self.open.contains(id));
-        let table = tables.entry(self.key.0).or_insert_with(|| {
-            if self.table.valid_count() == 0 {
-                return TableTexture::empty(device, queue);
-            }
-            TableTexture::upload(device, queue, &self.table)
+        let (own, data) = (self.key.0, Arc::downgrade(&self.table));
+        // Data that were let go and read again may be others.
+        tables.retain(|id, (of, _)| match *id == own {
+            true => of.ptr_eq(&data),
+            false => self.kept.contains(id),
+        });
+        slots.retain(|(id, _), _| tables.contains_key(id));
+        let (_, table) = tables.entry(own).or_insert_with(|| {
+            let texture = if self.table.valid_count() == 0 {
+                TableTexture::empty(device, queue)
+            } else {
+                TableTexture::upload(device, queue, &self.table)
+            };
+            (data, texture)
         });
         slots
             .entry(self.key)

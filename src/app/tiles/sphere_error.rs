@@ -2,6 +2,7 @@
 
 use super::sphere::OnScreen;
 use crate::app::paint;
+use crate::figure::colormap::ColorMap;
 use crate::figure::scale::number;
 use crate::geom::sphere_error::{DIFFERENCE_LIMIT, RATIO_STOPS, SphereError};
 use crate::gpu::sphere_pass::COLORS;
@@ -19,15 +20,11 @@ pub fn beside_bar(rect: Rect) -> Rect {
 
 /// The map of a comparison at even places from 0 to 1.
 pub fn colors(error: SphereError) -> [[u8; 3]; COLORS] {
-    std::array::from_fn(|k| color(error, k as f64 / (COLORS - 1) as f64))
-}
-
-/// The sRGB colour at a place in [0, 1].
-fn color(error: SphereError, at: f64) -> [u8; 3] {
-    match error {
-        SphereError::Difference => viridis(at),
-        SphereError::Ratio => diverging(at),
-    }
+    let map = match error {
+        SphereError::Difference => ColorMap::Sequential,
+        SphereError::Ratio => ColorMap::Diverging,
+    };
+    std::array::from_fn(|k| map.color(k as f64 / (COLORS - 1) as f64))
 }
 
 /// The bar with its ticks at the right of `rect`, as high as the sphere, and the name of what it shows over the sphere.
@@ -38,9 +35,12 @@ pub fn bar(ui: &egui::Ui, rect: Rect, sphere: &OnScreen, error: SphereError, sto
         let color = visuals.weak_text_color();
         painter.text(at, align, text, FontId::proportional(12.0), color);
     };
-    let name = match error {
-        SphereError::Difference => "|model − measured|",
-        SphereError::Ratio => "model / measured",
+    // Beside a small sphere there is room for a word.
+    let name = match (error, sphere.rect.width() > 240.0) {
+        (SphereError::Difference, true) => "|model − measured|",
+        (SphereError::Difference, false) => "difference",
+        (SphereError::Ratio, true) => "model / measured",
+        (SphereError::Ratio, false) => "ratio",
     };
     text(sphere.rect.left_top(), Align2::LEFT_TOP, name);
     let left = beside_bar(rect).right() + 4.0;
@@ -110,41 +110,6 @@ fn ticks(error: SphereError, stops: f64) -> Vec<(f32, String)> {
     }
 }
 
-/// Viridis by van der Walt, Smith and Firing, as a polynomial by Matt Zucker (both CC0).
-fn viridis(t: f64) -> [u8; 3] {
-    const TERMS: [[f64; 3]; 7] = [
-        [0.277_727_3, 0.005_407_3, 0.334_099_8],
-        [0.105_093_0, 1.404_613_5, 1.384_590_2],
-        [-0.330_861_8, 0.214_847_6, 0.095_095_2],
-        [-4.634_230_5, -5.799_101_0, -19.332_441_0],
-        [6.228_269_9, 14.179_933_4, 56.690_552_6],
-        [4.776_385_0, -13.745_145_4, -65.353_032_6],
-        [-5.435_455_9, 4.645_852_6, 26.312_435_2],
-    ];
-    std::array::from_fn(|k| {
-        let value = TERMS.iter().rev().fold(0.0, |sum, term| sum * t + term[k]);
-        (255.0 * value.clamp(0.0, 1.0)).round() as u8
-    })
-}
-
-/// Blue over light grey to red: the ends and quarters of ColorBrewer's RdBu.
-fn diverging(t: f64) -> [u8; 3] {
-    const STOPS: [[u8; 3]; 5] = [
-        [0x05, 0x30, 0x61],
-        [0x43, 0x93, 0xc3],
-        [0xf7, 0xf7, 0xf7],
-        [0xd6, 0x60, 0x4d],
-        [0x67, 0x00, 0x1f],
-    ];
-    let x = 4.0 * t.clamp(0.0, 1.0);
-    let low = (x as usize).min(3);
-    let share = x - low as f64;
-    std::array::from_fn(|k| {
-        let (a, b) = (f64::from(STOPS[low][k]), f64::from(STOPS[low + 1][k]));
-        (a + share * (b - a)).round() as u8
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -164,14 +129,5 @@ mod tests {
             texts(SphereError::Ratio, 3.0),
             ["1/4", "1/2", "1", "2", "4"]
         );
-    }
-
-    #[test]
-    fn the_maps_have_their_published_ends() {
-        assert_eq!(viridis(0.0), [71, 1, 85]);
-        let [r, g, b] = viridis(1.0);
-        assert!(r > 248 && (228..236).contains(&g) && b < 40, "{r} {g} {b}");
-        assert_eq!(diverging(0.5), [0xf7; 3]);
-        assert_eq!(colors(SphereError::Ratio)[COLORS - 1], [0x67, 0, 0x1f]);
     }
 }

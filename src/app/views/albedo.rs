@@ -6,6 +6,7 @@ use crate::app::derived::{Derived, Slot, Step, Wish};
 use crate::figure::albedo::{AlbedoCurve, AlbedoPoint, AlbedoSpec, angles, curve};
 use crate::figure::subject::{Source, Subject};
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 /// What the albedo plot shows.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -84,30 +85,35 @@ pub fn wishes(subjects: &[Subject]) -> (MeasuredAlbedo, ModelAlbedo) {
     (MeasuredAlbedo(of(true)), ModelAlbedo(of(false)))
 }
 
-/// The curve of each subject: of its own source, else the last that was at its place, else none.
+/// The curve of each subject: of its own source; else an old one, of the same table or of the model that was at its
+/// place; else none.
 pub fn curves<'a>(derived: &'a Derived, subjects: &[Subject]) -> Vec<AlbedoCurve<'a>> {
     let measured = derived.measured_albedo.last();
     let measured = measured.map(|(wish, made)| (&wish.0[..], &made[..]));
     let models = derived.model_albedo.last();
     let models = models.map(|(wish, made)| (&wish.0[..], &made[..]));
-    let (mut seen_measured, mut seen_models) = (0, 0);
+    let mut models_seen = 0;
     let mut curves = Vec::new();
-    for subject in subjects {
-        let is_measured = matches!(subject.source, Source::Measured(..));
-        let (known, place) = if is_measured {
-            (measured, &mut seen_measured)
-        } else {
-            (models, &mut seen_models)
+    for Subject { source, .. } in subjects {
+        let (known, old) = match source {
+            Source::Measured(table, _) => {
+                let same_table = |other: &Source| matches!(other, Source::Measured(other, _) if Arc::ptr_eq(other, table));
+                let old = measured.and_then(|(sources, _)| sources.iter().position(same_table));
+                (measured, old)
+            }
+            Source::Model(_) | Source::Function(_) => {
+                models_seen += 1;
+                (models, Some(models_seen - 1))
+            }
         };
         curves.push(known.map_or_else(AlbedoCurve::default, |(sources, made)| {
-            let own = sources.iter().position(|source| *source == subject.source);
-            let points = made.get(own.unwrap_or(*place));
+            let own = sources.iter().position(|other| other == source);
+            let points = own.or(old).and_then(|place| made.get(place));
             AlbedoCurve {
                 points: points.map_or(&[], |points| points),
                 old: own.is_none(),
             }
         }));
-        *place += 1;
     }
     curves
 }

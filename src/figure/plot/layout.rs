@@ -33,8 +33,12 @@ pub(super) struct Place {
     pub marks: Ticks,
 }
 
-/// Between a number and its axis, in units of the font size.
+/// Between a number and its axis, in units of the font size: beside and below it. Below it is more, as the lowest number
+/// beside it stands half lower than the axis.
 pub(super) const NUMBER_GAP_EM: f32 = 0.45;
+const BELOW_GAP_EM: f32 = 0.68;
+/// Between the middles of the two lines below, in lines.
+const LINE_STEP: f32 = 1.04;
 /// A plot lower than this has the name of x beside its numbers.
 const ROOMY: f32 = 240.0;
 /// The largest share of the height that names in the legend take before they are cut shorter.
@@ -51,8 +55,8 @@ impl Plan {
         let (legend, rows) = legend(outline.subjects, font, [width, height], title_width);
         let top = pad + line * (1 + rows) as f32 + 0.6 * line;
 
-        let below = if height >= ROOMY { 2.0 } else { 1.0 };
-        let bottom = height - 0.4 * pad - line * below - NUMBER_GAP_EM * font;
+        let below = if height >= ROOMY { 1.0 } else { 0.0 };
+        let bottom = height - 0.4 * pad - line * (1.0 + LINE_STEP * below) - BELOW_GAP_EM * font;
         let titles = outline.panels.iter().skip(1).map(|panel| {
             let named = !panel.title.is_empty();
             line * if named { 1.35 } else { 0.6 }
@@ -83,7 +87,7 @@ impl Plan {
         }
         let x_marks = outline.x.marks(right - left, 4.2 * font, outline.x_steps);
         let end = panels.last().map_or(bottom, |place| place.bottom);
-        let numbers_y = end + NUMBER_GAP_EM * font + 0.5 * line;
+        let numbers_y = end + BELOW_GAP_EM * font + 0.5 * line;
         Self {
             font,
             title: (title, [pad, first]),
@@ -93,7 +97,7 @@ impl Plan {
             panels,
             x_marks,
             numbers_y,
-            name_y: numbers_y + line * (below - 1.0),
+            name_y: numbers_y + LINE_STEP * line * below,
         }
     }
 }

@@ -1,13 +1,15 @@
 //! The descents of the stages: side by side on a sample, alone on all cells.
 
-use super::super::Problem;
 use super::super::descent::{self, Rules};
 use super::super::objective::{Candidate, Follow, Objective};
 use super::super::shape::Threads;
 use super::super::sites::Sites;
+use super::super::{Problem, Progress, Watch};
 use super::Engine;
+use crate::brdf::Brdf;
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
+use std::sync::{Mutex, PoisonError};
 
 /// How far a descent goes on some of the cells.
 pub(super) struct Level<'a> {
@@ -47,8 +49,30 @@ impl<'a> Level<'a> {
     }
 }
 
+/// The watcher, shared by descents side by side.
+struct Watched<'w> {
+    watch: Watch<'w>,
+    shown: Option<Progress>,
+    stopped: bool,
+}
+
+impl Watched<'_> {
+    /// Tells of an evaluation, and of its model where that is better than what was shown. Returns whether to go on.
+    fn tell(&mut self, error: f64, brdf: impl FnOnce() -> Brdf) -> bool {
+        let Some(shown) = self.shown.as_mut().filter(|_| !self.stopped) else {
+            return !self.stopped;
+        };
+        shown.evaluations += 1;
+        if error < shown.error {
+            (shown.brdf, shown.error, shown.all_cells) = (brdf(), error, false);
+        }
+        self.stopped = (self.watch)(shown).is_break();
+        !self.stopped
+    }
+}
+
 impl<'a> Engine<'a, '_> {
-    /// Descents on a sample from several points, each on a thread of its own.
+    /// Descents on a sample from several points, each on a thread of its own; the best end first.
     pub(super) fn descend_side_by_side(
         &mut self,
         starts: impl Iterator<Item = (Candidate, Option<DMat3>)>,
@@ -56,29 +80,38 @@ impl<'a> Engine<'a, '_> {
         follow: Follow,
     ) -> Vec<(Candidate, Option<DMat3>)> {
         let starts: Vec<_> = starts.collect();
-        let fresnel = self.space.variant.fresnel;
         let rules = self.rules(level);
-        let ends: Vec<_> = starts
+        let (space, options) = (&self.space, self.options);
+        let watched = Mutex::new(Watched {
+            watch: &mut *self.watch,
+            shown: self.shown,
+            stopped: self.cancelled,
+        });
+        let mut ends: Vec<_> = starts
             .par_iter()
             .map(|(start, curvature)| {
+                let fresnel = space.variant.fresnel;
                 let mut objective =
                     Objective::new(level.sites, fresnel, follow, Some(start), level.threads);
-                let mut evaluate = |p: DVec3| Some(objective.value(p.to_array()));
-                let end = descent::descend(
-                    DVec3::from_array(start.point),
-                    *curvature,
-                    &rules,
-                    &mut evaluate,
-                );
+                let mut evaluate = |p: DVec3| {
+                    let value = objective.value(p.to_array());
+                    let best = objective.best?;
+                    let brdf = || space.variant.with(space.params(&best, options));
+                    // What another thread left is whole: a watcher that panics ends them all.
+                    let mut watched = watched.lock().unwrap_or_else(PoisonError::into_inner);
+                    watched.tell(best.error, brdf).then_some(value)
+                };
+                let from = DVec3::from_array(start.point);
+                let end = descent::descend(from, *curvature, &rules, &mut evaluate);
                 let curvature = end.and_then(|end| end.curvature);
-                (
-                    objective.best.unwrap_or(*start),
-                    curvature,
-                    objective.evaluations,
-                )
+                let best = objective.best.unwrap_or(*start);
+                (best, curvature, objective.evaluations)
             })
             .collect();
+        let watched = watched.into_inner().unwrap_or_else(PoisonError::into_inner);
+        (self.shown, self.cancelled) = (watched.shown, watched.stopped);
         self.evaluations += ends.iter().map(|end| end.2).sum::<usize>();
+        ends.sort_by(|a, b| a.0.error.total_cmp(&b.0.error));
         ends.into_iter()
             .map(|(end, curvature, _)| (end, curvature))
             .collect()
@@ -88,10 +121,10 @@ impl<'a> Engine<'a, '_> {
     pub(super) fn descend_levels(&mut self, start: &Candidate, follow: Follow) -> Candidate {
         let near = std::iter::once((*start, None));
         let ends = self.descend_side_by_side(near, &Level::medium(self.problem), follow);
-        self.show_best(&ends);
         match ends.first() {
             Some((end, curvature)) if !self.cancelled => self.descend_all(end, *curvature, follow),
-            _ => *start,
+            Some((end, _)) => *end,
+            None => *start,
         }
     }
 

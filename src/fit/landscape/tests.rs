@@ -104,7 +104,7 @@ fn a_solved_eta_is_at_least_as_good_as_any_fixed_one() {
         space: Space::new(
             Variant::from(&truth()),
             &Options::default(),
-            problem.all.scale,
+            problem.units(),
         ),
         eta: Eta::Fixed(eta),
     };

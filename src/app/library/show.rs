@@ -1,0 +1,255 @@
+//! Showing files and materials: what is asked for is loaded first, and the newest wish wins.
+
+use super::{Kind, Presence, Preview, Target, Wish, memory};
+use crate::app::open_fits;
+use crate::app::state::{Level, MaterialId, Origin, Purpose, State};
+use crate::app::update::{
+    Loaded, Task, add_material, add_material_at, edit, load, load_with, notify,
+};
+use crate::files::FileError;
+use std::path::{Path, PathBuf};
+
+/// Shows an open material; from now on, arrows step through the open ones.
+pub(in crate::app) fn select(state: &mut State, index: usize) -> Vec<Task> {
+    state.library.cursor = None;
+    show_material(state, index)
+}
+
+fn show_material(state: &mut State, index: usize) -> Vec<Task> {
+    let opened = state.scene.opened.get(index);
+    let Some((id, material)) =
+        opened.and_then(|opened| Some((opened.id, state.materials.get(&opened.id)?)))
+    else {
+        return Vec::new();
+    };
+    let (presence, name) = (material.presence, material.name.clone());
+    let target = Target::Material(id);
+    if state
+        .library
+        .wish
+        .as_ref()
+        .is_some_and(|wish| wish.target == target)
+    {
+        return Vec::new();
+    }
+    memory::forget_wish(state);
+    let (job, task) = match presence {
+        Presence::Here | Presence::Lost => {
+            edit(state, |scene| scene.selected = index);
+            return Vec::new();
+        }
+        Presence::Loading(job) => (job, None),
+        Presence::Away => match memory::reload(state, id) {
+            Some((job, task)) => (job, Some(task)),
+            None => return Vec::new(),
+        },
+    };
+    state.library.wish = Some(Wish { job, name, target });
+    task.into_iter().collect()
+}
+
+/// Shows a file of the folder: the material where it is open, else as a preview; left open where `keep` says so.
+pub(super) fn show_file(state: &mut State, path: PathBuf, keep: bool) -> Vec<Task> {
+    match state.library.kind_of(&path) {
+        Some(Kind::Other(_)) => return Vec::new(),
+        Some(Kind::Models(_)) => {
+            state.library.cursor = Some(path.clone());
+            return vec![load(state, Origin::File(path))];
+        }
+        _ => {}
+    }
+    state.library.cursor = Some(path.clone());
+    if let Some(index) = state.position_of_file(&path) {
+        if keep {
+            leave_open(state, state.scene.opened[index].id);
+        }
+        return show_material(state, index);
+    }
+    if let Some(Wish { target, .. }) = &mut state.library.wish
+        && let Target::File {
+            path: wished,
+            keep: kept,
+        } = target
+        && *wished == path
+    {
+        *kept |= keep;
+        return Vec::new();
+    }
+    memory::forget_wish(state);
+    let fits = state.library.fits_for(&path);
+    let task = load_with(state, Origin::File(path.clone()), fits);
+    if let Some(job) = state.jobs.last_mut() {
+        job.purpose = Purpose::Preview;
+        state.library.wish = Some(Wish {
+            job: job.id,
+            name: job.label.clone(),
+            target: Target::File { path, keep },
+        });
+    }
+    vec![task]
+}
+
+/// The next material does not take the place of this one.
+fn leave_open(state: &mut State, id: MaterialId) {
+    state.library.preview.take_if(|preview| preview.id == id);
+}
+
+/// Leaves what is shown, or about to be, open.
+pub(super) fn keep_open(state: &mut State) {
+    if let Some(Wish {
+        target: Target::File { keep, .. },
+        ..
+    }) = &mut state.library.wish
+    {
+        *keep = true;
+    } else {
+        state.library.preview = None;
+    }
+}
+
+/// Goes on by so many files of the folder as they are listed, or through the open materials.
+pub(in crate::app) fn step(state: &mut State, by: isize) -> Vec<Task> {
+    let files = state.library.steps();
+    let count = state.scene.opened.len();
+    let Some(cursor) = &state.library.cursor else {
+        return match (count, files.first()) {
+            (0 | 1, Some(first)) => step_to(state, first.clone()),
+            (0, None) => Vec::new(),
+            _ => {
+                let by = by.rem_euclid(count as isize) as usize;
+                select(state, (state.scene.selected + by) % count)
+            }
+        };
+    };
+    let at = files.iter().position(|file| file == cursor);
+    let last = files.len().saturating_sub(1);
+    let next = at.map_or(0, |at| at.saturating_add_signed(by).min(last));
+    match files.get(next) {
+        Some(file) if Some(next) != at => step_to(state, file.clone()),
+        _ => Vec::new(),
+    }
+}
+
+fn step_to(state: &mut State, file: PathBuf) -> Vec<Task> {
+    state.library.reveal += 1;
+    show_file(state, file, false)
+}
+
+/// A job has brought a material, or says why not.
+pub(in crate::app) fn loaded(
+    state: &mut State,
+    job: u64,
+    origin: Origin,
+    result: Result<Loaded, Option<String>>,
+) {
+    let at = state.jobs.iter().position(|other| other.id == job);
+    let purpose = at.map_or(Purpose::Open, |at| state.jobs.remove(at).purpose);
+    let wish = state.library.wish.take_if(|wish| wish.job == job);
+    match (purpose, result, wish) {
+        (Purpose::Reload(id), result, wish) => {
+            take_back(state, id, job, result);
+            let index = state.scene.opened.iter().position(|opened| opened.id == id);
+            if let (Some(index), Some(_)) = (index, wish) {
+                edit(state, |scene| scene.selected = index);
+            }
+        }
+        (Purpose::Preview, Ok(loaded), Some(wish)) => preview(state, origin, loaded, &wish),
+        (Purpose::Preview, Err(Some(reason)), Some(_)) => notify(state, Level::Error, reason),
+        // Something else is wished by now.
+        (Purpose::Preview, ..) => {}
+        (Purpose::Open, Ok(loaded), _) => {
+            memory::forget_wish(state);
+            add_material(state, origin, loaded);
+        }
+        (Purpose::Open, Err(Some(reason)), _) => notify(state, Level::Error, reason),
+        (Purpose::Open, Err(None), _) => {}
+    }
+}
+
+/// Opens a file in the place of the preview before it, if that is as it was.
+fn preview(state: &mut State, origin: Origin, loaded: Loaded, wish: &Wish) {
+    let Target::File { path, keep } = &wish.target else {
+        return;
+    };
+    if let (Some(now), Some(fits)) = (&loaded.source, state.library.fits.get_mut(path)) {
+        let same = |then: &crate::files::SourceFile| now.same_data(then) != Some(false);
+        fits.retain(|fit| fit.source.as_ref().is_none_or(same));
+    }
+    let replaced = replaceable(state);
+    let id = add_material_at(state, origin, loaded, replaced);
+    let opened = state.scene.opened.get(state.scene.selected);
+    state.library.preview = opened
+        .filter(|opened| opened.id == id && !keep)
+        .map(|opened| Preview {
+            id,
+            brdf: opened.brdf,
+        });
+}
+
+/// The preview, unless a person has done something with it.
+fn replaceable(state: &State) -> Option<MaterialId> {
+    let preview = state.library.preview?;
+    let fitted = state.fit.run.as_ref().map(|run| run.material) == Some(preview.id);
+    let untouched = state
+        .scene
+        .opened
+        .iter()
+        .any(|opened| opened.id == preview.id && opened.brdf == preview.brdf && !opened.beside);
+    (untouched && !fitted).then_some(preview.id)
+}
+
+/// Puts a table that was let go back in its place.
+fn take_back(state: &mut State, id: MaterialId, job: u64, result: Result<Loaded, Option<String>>) {
+    let Some(material) = state.materials.get_mut(&id) else {
+        return;
+    };
+    if material.presence != Presence::Loading(job) {
+        return;
+    }
+    match result {
+        Ok(loaded) => {
+            let same = open_fits::same_data(loaded.source.as_ref(), material.source.as_ref());
+            material.table = loaded.table;
+            material.presence = Presence::Here;
+            if same == Some(false) {
+                material.source = loaded.source;
+                material.guess = loaded.guess;
+                material.fits.clear();
+                let path = material.file().unwrap_or_default();
+                let what = format!(
+                    "the data of {} have changed since it was opened; its fits are gone",
+                    material.name
+                );
+                state.library.fits.remove(&path);
+                notify(state, Level::Info, FileError::new(&path, what).to_string());
+            }
+        }
+        Err(Some(reason)) => {
+            material.presence = Presence::Lost;
+            let text = format!("{} is shown without its data: {reason}", material.name);
+            notify(state, Level::Error, text);
+        }
+        Err(None) => material.presence = Presence::Away,
+    }
+}
+
+impl super::Library {
+    /// What a file of the folder is.
+    pub fn kind_of(&self, path: &Path) -> Option<&Kind> {
+        let mut files = self.folder.as_ref()?.files.iter();
+        files.find(|file| file.path == path).map(|file| &file.kind)
+    }
+
+    /// The measured files in the order in which they are listed.
+    pub fn steps(&self) -> Vec<PathBuf> {
+        let Some(folder) = &self.folder else {
+            return Vec::new();
+        };
+        let rows = self.visible();
+        let files = rows.iter().map(|index| &folder.files[*index]);
+        files
+            .filter(|file| file.is_measured())
+            .map(|file| file.path.clone())
+            .collect()
+    }
+}

@@ -1,0 +1,229 @@
+//! The open folder: its name, what can be done with it, search, order, and keys.
+
+use super::files;
+use crate::app::command::Command;
+use crate::app::library::{Folder, LibraryMsg, SORT_KEYS, Scan, Sort};
+use crate::app::state::State;
+use crate::app::update::Msg;
+use crate::files::folder::shown_name;
+use egui::{Key, Modifiers};
+
+/// Draws the folder. `panel` is where the whole library is: a press in it gives it the keys.
+pub fn folder_ui(ui: &mut egui::Ui, state: &State, panel: egui::Rect, out: &mut Vec<Msg>) {
+    let Some(folder) = &state.library.folder else {
+        return;
+    };
+    title_ui(ui, state, folder, out);
+    search_ui(ui, state, out);
+    fit_ui(ui, state, out);
+    keys(ui, state, panel, out);
+    files::files_ui(ui, state, folder, out);
+}
+
+fn title_ui(ui: &mut egui::Ui, state: &State, folder: &Folder, out: &mut Vec<Msg>) {
+    ui.horizontal(|ui| {
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            menu_ui(ui, state, folder, out);
+            ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
+                let name = egui::RichText::new(shown_name(&folder.path)).strong();
+                let name = ui.add(egui::Label::new(name).truncate());
+                name.on_hover_text(folder.path.display().to_string());
+            });
+        });
+    });
+}
+
+fn menu_ui(ui: &mut egui::Ui, state: &State, folder: &Folder, out: &mut Vec<Msg>) {
+    let menu = ui.menu_button("…", |ui| {
+        for (name, command) in [
+            ("Fit all: shown model", Command::FitFolder),
+            ("Fit all: six models", Command::FitFolderAll),
+            ("Save fits…", Command::SaveFits),
+        ] {
+            let button = ui.add_enabled(command.is_enabled(state), egui::Button::new(name));
+            if button.on_hover_text(command.hint(ui.ctx())).clicked() {
+                out.push(Msg::Run(command));
+            }
+        }
+        ui.separator();
+        if ui
+            .button("Look again")
+            .on_hover_text("Read the folder anew")
+            .clicked()
+        {
+            out.push(Msg::Library(LibraryMsg::Open(folder.path.clone())));
+        }
+        for (name, command) in [
+            ("Open another…", Command::OpenFolder),
+            ("Close folder", Command::CloseFolder),
+        ] {
+            let hint = command.hint(ui.ctx());
+            if ui.button(name).on_hover_text(hint).clicked() {
+                out.push(Msg::Run(command));
+            }
+        }
+        ui.separator();
+        limit_ui(ui, state, out);
+    });
+    menu.response
+        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, "Menu of the folder"));
+}
+
+/// How much memory tables may take.
+fn limit_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+    ui.horizontal(|ui| {
+        let label = ui.label("Memory");
+        let mut mib = state.prefs.memory.0;
+        let drag = egui::DragValue::new(&mut mib)
+            .range(0..=65_536)
+            .speed(4.0)
+            .suffix(" MiB");
+        let drag = ui.add(drag).labelled_by(label.id).on_hover_text(
+            "How much the data of open materials may take. Those not shown for the longest time are let go and read again when they are shown.",
+        );
+        if drag.changed() {
+            out.push(Msg::Library(LibraryMsg::SetLimit(mib)));
+        }
+    });
+}
+
+fn search_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+    let library = &state.library;
+    ui.horizontal(|ui| {
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            sort_ui(ui, library.sort, out);
+            let mut text = library.search.clone();
+            let field = egui::TextEdit::singleline(&mut text)
+                .hint_text("Search")
+                .desired_width(f32::INFINITY);
+            let field = ui.add(field);
+            field.widget_info(|| {
+                egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Search the folder")
+            });
+            if field.changed() {
+                out.push(Msg::Library(LibraryMsg::Search(text)));
+            }
+            let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+            if let (true, Some(first)) = (entered, library.steps().first()) {
+                out.push(Msg::Library(LibraryMsg::Show {
+                    path: first.clone(),
+                    keep: false,
+                }));
+            }
+        });
+    });
+}
+
+fn sort_ui(ui: &mut egui::Ui, sort: Sort, out: &mut Vec<Msg>) {
+    let menu = ui.menu_button("Sort", |ui| {
+        for (key, name) in SORT_KEYS {
+            if ui.selectable_label(sort.key == key, name).clicked() {
+                out.push(Msg::Library(LibraryMsg::Sort(Sort { key, ..sort })));
+            }
+        }
+        ui.separator();
+        for (descending, name) in [(false, "Ascending"), (true, "Descending")] {
+            if ui
+                .selectable_label(sort.descending == descending, name)
+                .clicked()
+            {
+                out.push(Msg::Library(LibraryMsg::Sort(Sort { descending, ..sort })));
+            }
+        }
+    });
+    let name = SORT_KEYS
+        .iter()
+        .find(|(key, _)| *key == sort.key)
+        .map_or("", |(_, name)| name);
+    menu.response
+        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, "Order of the folder"));
+    let direction = if sort.descending {
+        "descending"
+    } else {
+        "ascending"
+    };
+    menu.response
+        .on_hover_text(format!("Order of the files: {name}, {direction}"));
+}
+
+/// The fit of the folder under way, or how far its files have been looked at.
+fn fit_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+    let library = &state.library;
+    if let Some(run) = &library.run {
+        ui.horizontal(|ui| {
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                let cancel = ui
+                    .small_button("×")
+                    .on_hover_text("Stop fitting the folder");
+                cancel.widget_info(|| {
+                    egui::WidgetInfo::labeled(egui::Role::Button, true, "Stop fitting the folder")
+                });
+                if cancel.clicked() {
+                    out.push(Msg::Run(Command::CancelFitFolder));
+                }
+                let at = (run.done + 1).min(run.total);
+                let waiting = state.fit.run.is_some();
+                let text = if waiting {
+                    format!("{at} of {}: waits", run.total)
+                } else {
+                    format!("{at} of {}: {}", run.total, run.name)
+                };
+                let bar =
+                    egui::ProgressBar::new(run.progress()).desired_width(ui.available_width());
+                let bar = ui.add(bar.text(egui::RichText::new(text.clone()).small()));
+                bar.on_hover_text(format!(
+                    "Fitting {text}. A fit of the shown material goes first."
+                ));
+            });
+        });
+        return;
+    }
+    let Some(folder) = library.folder.as_ref().filter(|f| f.scan != Scan::Done) else {
+        return;
+    };
+    let files = || folder.files.iter();
+    let measured = files().filter(|file| file.is_measured()).count();
+    let examined = files().filter(|file| file.examined().is_some()).count();
+    ui.weak(match folder.scan {
+        Scan::Listing => "Reading the folder…".into(),
+        _ => format!("Reading {examined} of {measured}…"),
+    });
+}
+
+/// Arrows, Home, End and Enter, where the library was pressed last and nobody types.
+fn keys(ui: &mut egui::Ui, state: &State, panel: egui::Rect, out: &mut Vec<Msg>) {
+    let id = egui::Id::unique("library has the keys");
+    let pressed = ui.input(|input| {
+        let any = input.pointer.any_pressed();
+        any.then(|| input.pointer.interact_pos()).flatten()
+    });
+    if let Some(at) = pressed {
+        ui.data_mut(|data| data.insert_temp(id, panel.contains(at)));
+    }
+    let ours = ui.data(|data| data.get_temp(id)).unwrap_or(false)
+        && state.dialog.is_none()
+        && !ui.ctx().egui_wants_keyboard_input()
+        && !egui::Popup::is_any_open(ui.ctx());
+    if !ours {
+        return;
+    }
+    let all = state.library.steps().len() as isize;
+    let steps = [
+        (Key::ArrowDown, 1),
+        (Key::ArrowUp, -1),
+        (Key::PageDown, 10),
+        (Key::PageUp, -10),
+        (Key::Home, -all),
+        (Key::End, all),
+    ];
+    ui.input_mut(|input| {
+        for (key, by) in steps {
+            for _ in 0..input.count_and_consume_key(Modifiers::NONE, key) {
+                out.push(Msg::Library(LibraryMsg::Step(by)));
+            }
+        }
+        if input.consume_key(Modifiers::NONE, Key::Enter) {
+            out.push(Msg::Library(LibraryMsg::Keep));
+        }
+    });
+}

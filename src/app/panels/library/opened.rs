@@ -1,0 +1,130 @@
+//! The open materials, a row each.
+
+use crate::app::library::{LibraryMsg, Target};
+use crate::app::paint;
+use crate::app::state::{Origin, State};
+use crate::app::update::Msg;
+use crate::measured::samples::SAMPLES;
+
+/// Draws the rows.
+pub fn opened_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+    for index in 0..state.scene.opened.len() {
+        material_ui(ui, state, index, out);
+    }
+    if state.scene.opened.is_empty() && state.jobs.is_empty() {
+        ui.weak("Nothing is open. Open a MERL or fit file or a folder, drop them here, or take a sample.");
+    }
+}
+
+fn material_ui(ui: &mut egui::Ui, state: &State, index: usize, out: &mut Vec<Msg>) {
+    let opened = &state.scene.opened[index];
+    let Some(material) = state.materials.get(&opened.id) else {
+        return;
+    };
+    let preview = state
+        .library
+        .preview
+        .is_some_and(|preview| preview.id == opened.id);
+    let wished = matches!(
+        &state.library.wish,
+        Some(wish) if wish.target == Target::Material(opened.id)
+    );
+    ui.horizontal(|ui| {
+        let (dot, _) = ui.allocate_exact_size(egui::vec2(10.0, 18.0), egui::Sense::hover());
+        ui.painter().circle_filled(
+            dot.center(),
+            4.5,
+            paint::series_color(ui.visuals().dark_mode, index),
+        );
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
+            let close = ui.add(egui::Button::new("×").small().frame(false));
+            close.widget_info(|| {
+                egui::WidgetInfo::labeled(
+                    egui::Role::Button,
+                    true,
+                    format!("Close {}", material.name),
+                )
+            });
+            if close.on_hover_text("Close this material").clicked() {
+                out.push(Msg::Close(index));
+            }
+            beside_ui(ui, state, index, &material.name, out);
+            ui.with_layout(egui::Layout::top_down_justified(egui::Align::Min), |ui| {
+                let mut name = egui::RichText::new(if wished {
+                    format!("{} – loading…", material.name)
+                } else {
+                    material.name.clone()
+                });
+                if preview {
+                    name = name.italics();
+                }
+                let row = egui::Button::selectable(index == state.scene.selected, name).truncate();
+                let response = ui.add(row);
+                response.widget_info(|| {
+                    egui::WidgetInfo::selected(
+                        egui::Role::Button,
+                        true,
+                        index == state.scene.selected,
+                        &material.name,
+                    )
+                });
+                let response = response.on_hover_ui(|ui| {
+                    ui.label(&material.name);
+                    match &material.origin {
+                        Origin::File(path) => ui.weak(path.display().to_string()),
+                        Origin::Sample(sample) => ui.weak(SAMPLES[*sample].about),
+                    };
+                    ui.weak(about(material));
+                    if preview {
+                        ui.weak("The next file of the folder takes its place; double click to leave it open.");
+                    }
+                });
+                if response.clicked() {
+                    out.push(Msg::Select(index));
+                }
+                if response.double_clicked() && preview {
+                    out.push(Msg::Library(LibraryMsg::Keep));
+                }
+            });
+        });
+    });
+}
+
+/// What was measured, or where the data are.
+fn about(material: &crate::app::state::Material) -> String {
+    use crate::app::library::Presence;
+    match material.presence {
+        Presence::Here => {
+            let grid = material.table.grid();
+            let valid = 100.0 * material.table.valid_count() as f64 / grid.len() as f64;
+            let bins = grid.phi_d_bins();
+            format!(
+                "{valid:.1} % of {} cells measured, {bins} φd bins",
+                grid.len()
+            )
+        }
+        Presence::Away => "Its data are loaded again when it is shown.".into(),
+        Presence::Loading(_) => "Loading…".into(),
+        Presence::Lost => "Its data could not be loaded again.".into(),
+    }
+}
+
+/// The check mark that shows a material beside the others.
+fn beside_ui(ui: &mut egui::Ui, state: &State, index: usize, name: &str, out: &mut Vec<Msg>) {
+    let shown = index == state.scene.selected;
+    let mut beside = state.scene.opened[index].beside;
+    let tick = ui.add(egui::Checkbox::without_text(&mut beside));
+    tick.widget_info(|| {
+        let label = format!("Show {name} beside");
+        egui::WidgetInfo::selected(egui::Role::CheckBox, true, beside, label)
+    });
+    let hint = if shown {
+        "Leave this material in the plots when another one is shown"
+    } else {
+        "Show this material in the plots, beside the shown one"
+    };
+    if tick.on_hover_text(hint).changed() {
+        out.push(Msg::SetBeside(index, beside));
+    }
+}

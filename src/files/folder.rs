@@ -1,0 +1,177 @@
+//! What is in a folder: names at once, and what each file is without reading all of it.
+
+use super::error::one_line;
+use super::fits::{self, MaterialFits};
+use super::{FileError, json_text, open};
+use crate::measured::merl;
+use std::cmp::Ordering;
+use std::iter::Peekable;
+use std::path::{Path, PathBuf};
+use std::str::Chars;
+
+/// What a file is, as far as its beginning and its length say.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Content {
+    /// A MERL file of the right length.
+    Measured,
+    /// Models as JSON, by material.
+    Models(Vec<MaterialFits>),
+}
+
+/// The files and folders in a folder, hidden ones left out, in the order a person expects: see [`natural_order`].
+///
+/// # Errors
+/// One line that says why the folder cannot be read.
+pub fn list(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
+    let cannot = |error| FileError::io(folder, "cannot read the folder", &error);
+    let mut named = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(cannot)? {
+        let path = entry.map_err(cannot)?.path();
+        let name = shown_name(&path);
+        if !name.starts_with('.') {
+            named.push((name, path));
+        }
+    }
+    named.sort_by(|a, b| natural_order(&a.0, &b.0));
+    Ok(named.into_iter().map(|(_, path)| path).collect())
+}
+
+/// The name of a file as it is shown: one line, whatever is in it.
+pub fn shown_name(path: &Path) -> String {
+    let name = path.file_name().unwrap_or(path.as_os_str());
+    one_line(&name.to_string_lossy())
+}
+
+/// Looks at the header and the length of a MERL file, or reads a JSON file.
+///
+/// # Errors
+/// Why it is neither.
+pub fn inspect(path: &Path) -> Result<Content, FileError> {
+    let (mut file, len) = open(path)?;
+    if let Some(text) = json_text(&mut file, path)? {
+        let entries = fits::entries(&text).map_err(|what| FileError::new(path, what))?;
+        return Ok(Content::Models(fits::by_material(path, entries)));
+    }
+    merl::read_header(&mut file, len)
+        .map(|_| Content::Measured)
+        .map_err(|error| FileError::merl(path, error))
+}
+
+/// Orders names without regard to case, with numbers by their value: a2, A10, b.
+pub fn natural_order(a: &str, b: &str) -> Ordering {
+    let (mut left, mut right) = (a.chars().peekable(), b.chars().peekable());
+    loop {
+        let order = match (left.peek(), right.peek()) {
+            (None, None) => return a.cmp(b),
+            (None, _) => return Ordering::Less,
+            (_, None) => return Ordering::Greater,
+            (Some(x), Some(y)) if x.is_ascii_digit() && y.is_ascii_digit() => {
+                let (x, y) = (number(&mut left), number(&mut right));
+                x.len().cmp(&y.len()).then_with(|| x.cmp(&y))
+            }
+            _ => {
+                let lower = |c: Option<char>| c.map(|c| c.to_lowercase().collect::<String>());
+                lower(left.next()).cmp(&lower(right.next()))
+            }
+        };
+        if order.is_ne() {
+            return order;
+        }
+    }
+}
+
+/// The digits ahead without leading zeros: of two of them the longer one is the larger number.
+fn number(chars: &mut Peekable<Chars>) -> String {
+    let mut digits = String::new();
+    while let Some(digit) = chars.next_if(char::is_ascii_digit) {
+        if digit != '0' || !digits.is_empty() {
+            digits.push(digit);
+        }
+    }
+    digits
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_ordered_as_a_person_does() {
+        let mut names = [
+            "b",
+            "a10",
+            "A2",
+            "a2",
+            "a",
+            "a02b",
+            "",
+            "a100000000000000000000",
+            "a 3",
+        ];
+        names.sort_by(|a, b| natural_order(a, b));
+        let expected = [
+            "",
+            "a",
+            "a 3",
+            "A2",
+            "a2",
+            "a02b",
+            "a10",
+            "a100000000000000000000",
+            "b",
+        ];
+        assert_eq!(names, expected);
+        // The plain order differs.
+        names.sort_unstable();
+        assert_ne!(names, expected);
+    }
+
+    #[test]
+    fn what_a_file_is_shows_at_its_beginning() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let write = |name: &str, bytes: &[u8]| {
+            let path = folder.path().join(name);
+            std::fs::write(&path, bytes).expect("written");
+            path
+        };
+        let header: Vec<u8> = [90i32, 90, 180]
+            .iter()
+            .flat_map(|n| n.to_le_bytes())
+            .collect();
+        let good = write("good.binary", &header);
+        let length = merl::byte_count(crate::measured::Grid::FOLDED);
+        let file = std::fs::File::options().write(true).open(&good);
+        file.and_then(|file| file.set_len(length)).expect("long");
+        assert_eq!(inspect(&good).expect("good"), Content::Measured);
+        for (path, words) in [
+            (write("short.binary", &header), "truncated"),
+            (write("text.txt", b"hello, world"), "it is a text"),
+            (write("empty.binary", b""), "empty"),
+            (write("no.json", b"[1]"), "entry 0"),
+            (folder.path().to_path_buf(), "directory"),
+        ] {
+            let reason = inspect(&path).expect_err("no BRDF").reason();
+            assert!(reason.contains(words), "{reason}");
+            assert!(!reason.contains(&path.display().to_string()), "{reason}");
+        }
+        let model = br#"{"model": "phong", "rho_d": [1, 0, 0], "k_s": [1, 2, 4], "s": 3}"#;
+        let models = inspect(&write("model.json", model)).expect("a model");
+        assert!(matches!(models, Content::Models(all) if all.len() == 1));
+        write(".hidden", b"");
+        let names: Vec<String> = list(folder.path())
+            .expect("listed")
+            .iter()
+            .map(|path| shown_name(path))
+            .collect();
+        let expected = [
+            "empty.binary",
+            "good.binary",
+            "model.json",
+            "no.json",
+            "short.binary",
+            "text.txt",
+        ];
+        assert_eq!(names, expected);
+        assert!(list(&good).is_err());
+    }
+}
