@@ -122,6 +122,8 @@ fn settings_zoom_and_reset() {
     }
     let mut window = window(vec![], vec![]);
     open(&mut window);
+    // The sphere has buttons of these names too.
+    run(&mut window, Command::ToggleTile(Pane::Sphere));
     window.get_by_role_and_label(Role::Button, "Ratio").click();
     window.run_steps(3);
     assert_eq!(window.state().state().scene.image.shown, Shown::Ratio);

@@ -11,11 +11,7 @@ use super::probe::Probe;
 use super::run_command;
 use super::state::{CancelFlag, Level, LobeTile, Notice, Origin, Scene, SphereTile, State};
 use super::subjects::{self, SubjectKey, Subjects};
-use super::views::error_map::ErrorMapView;
-use super::views::image::ImageView;
-use super::views::landscape::LandscapeView;
-use super::views::lobe3d::Lobe3dView;
-use super::views::{AlbedoView, SlicesView};
+use super::views::{AlbedoView, ErrorMapView, ImageView, LandscapeView, Lobe3dView, SlicesView};
 use crate::brdf::{Brdf, ParamId, Params};
 use crate::files::SourceFile;
 use crate::files::fits::MaterialFits;
@@ -265,10 +261,7 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
         Msg::SetImage(image) => edit(state, |scene| scene.image = image),
         Msg::SetErrorMap(map) => edit(state, |scene| scene.error_map = map),
         Msg::SetLandscape(landscape) => edit(state, |scene| scene.landscape = landscape),
-        Msg::TakeModel(taken) => {
-            edit_brdf(state, |brdf| *brdf = taken);
-            return steps::resolve_taken(state);
-        }
+        Msg::TakeModel(brdf) => return steps::take(state, brdf),
         Msg::Hover(probe) => state.hovered = probe,
         Msg::Pin(probe) => state.pinned = probe,
         Msg::Legend { key, solo } => {

@@ -3,7 +3,7 @@
 use super::{FitMsg, FitTask, KeptFit, Part, Resolve, Run, Timed};
 use crate::app::state::{CancelFlag, Level, MaterialId, Opened, State};
 use crate::app::tiles::Pane;
-use crate::app::update::{Task, edit, notify};
+use crate::app::update::{Task, edit, edit_brdf, notify};
 use crate::brdf::{Brdf, Fresnel};
 use crate::fit::{ProblemError, Variant};
 
@@ -186,9 +186,10 @@ fn resolve_now(state: &mut State, as_step: bool) -> Vec<Task> {
     })]
 }
 
-/// Asks once for the best ρ_d and k_s of a model that was taken, whether they follow the sliders or not. The answer
-/// belongs to that edit.
-pub(in crate::app) fn resolve_taken(state: &mut State) -> Vec<Task> {
+/// Lays a model over the shown material, and asks once for its best ρ_d and k_s, whether they follow the sliders or
+/// not. The answer belongs to that edit.
+pub(in crate::app) fn take(state: &mut State, taken: Brdf) -> Vec<Task> {
+    edit_brdf(state, |brdf| *brdf = taken);
     let tasks = resolve_now(state, false);
     if let Some(Task::Resolve(resolve)) = tasks.first() {
         state.fit.resolve_taken = resolve.number;

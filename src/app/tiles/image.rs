@@ -47,9 +47,13 @@ fn toolbar_ui(ui: &mut egui::Ui, view: &ImageView, out: &mut Vec<Msg>) {
             }
         }
         ui.separator();
-        controls::symbol_ui(ui, "φ_{d}");
         let hint = "Azimuth of the light around the half vector; 90° shows the usual picture";
-        if let Some(phi_d) = controls::angle_ui(ui, "phi_d", hint, view.phi_d, 0.0..=180.0) {
+        // Together where the line breaks.
+        let phi_d = ui.horizontal(|ui| {
+            controls::symbol_ui(ui, "φ_{d}");
+            controls::angle_ui(ui, "phi_d", hint, view.phi_d, 0.0..=180.0)
+        });
+        if let Some(phi_d) = phi_d.inner {
             out.push(set(view, |view| view.phi_d = phi_d));
         }
         let mut root = view.root;

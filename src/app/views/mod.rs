@@ -9,4 +9,8 @@ pub mod lobe3d;
 pub mod slices;
 
 pub use albedo::AlbedoView;
+pub use error_map::ErrorMapView;
+pub use image::ImageView;
+pub use landscape::LandscapeView;
+pub use lobe3d::Lobe3dView;
 pub use slices::SlicesView;

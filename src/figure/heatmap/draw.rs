@@ -265,6 +265,7 @@ fn name_line(drawing: &mut Drawing, placing: &mut Placing, curve: &Curve, plan: 
             let [min, max] = label.bounds();
             let inside = (0..2).all(|k| min[k] >= plan.frame.min[k] && max[k] <= plan.frame.max[k]);
             if inside && placing.try_place(drawing, label) {
+                placing.keep_free(at, 2.2 * size);
                 return;
             }
         }
