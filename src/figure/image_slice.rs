@@ -249,14 +249,16 @@ impl ImageSpec {
     /// cos θh cos θd − sin θh sin θd |cos φd| = cos.
     fn grazing(&self, theta: f64) -> Vec<[f64; 2]> {
         let across = self.phi_d.cos().abs();
-        let of = |tenth: i32| {
-            let theta_d = (f64::from(tenth) / 2.0).to_radians();
+        // Closer towards θh = 0, where it runs level and the square root spreads it.
+        let of = |k: i32| {
+            let theta_d = theta * (1.0 - (f64::from(k) / 180.0).powi(2));
             let (a, b) = (theta_d.cos(), theta_d.sin() * across);
             let share = theta.cos() / a.hypot(b);
             let theta_h = share.min(1.0).acos() - b.atan2(a);
-            (share <= 1.0 && theta_h >= 0.0).then(|| [theta_h.to_degrees(), theta_d.to_degrees()])
+            let theta_h = theta_h.max(0.0);
+            [theta_h.to_degrees(), theta_d.to_degrees()]
         };
-        (0..=180).filter_map(of).collect()
+        (0..=180).map(of).collect()
     }
 }
 
