@@ -24,7 +24,7 @@ pub struct ScatterDot {
 }
 
 /// Fewest decades of s.
-const DECADES: i32 = 2;
+const DECADES: f64 = 2.0;
 /// α at the lower and upper edge: what is beyond 0 and 1 is room for words.
 const EDGES: (f64, f64) = (-0.1, 1.1);
 /// How near in points a dot must be to be meant.
@@ -46,14 +46,14 @@ pub struct ScatterPlot {
 impl ScatterPlot {
     /// A plot of `size` points.
     pub fn new(dots: &[ScatterDot], size: [f32; 2]) -> Self {
-        let (from, to) = decades(dots);
+        let (from, to) = ends(dots);
         let outline = Outline {
             title: vec![
                 "α over s of the combined model".into(),
                 "α over s, combined".into(),
             ],
             subjects: &[],
-            x: Axis::between(RadialScale::Log, 10f64.powi(from), 10f64.powi(to)),
+            x: Axis::between(RadialScale::Log, from, to),
             x_steps: Steps::Decimal,
             x_name: "s, log_{10}".into(),
             panels: vec![Panel {
@@ -71,13 +71,7 @@ impl ScatterPlot {
             };
             plot.level(0, alpha, pen);
             let middle = 0.5 * (alpha + beyond);
-            plot.tag(
-                0,
-                10f64.powi(from),
-                middle,
-                &RichText::parse(word),
-                Role::Muted,
-            );
+            plot.tag(0, from, middle, &RichText::parse(word), Role::Muted);
         }
         let places = draw(&mut plot, dots);
         let frame = plot.frames[0];
@@ -103,33 +97,35 @@ impl ScatterPlot {
 fn draw(plot: &mut Plot, dots: &[ScatterDot]) -> Vec<Option<Point>> {
     let mut order: Vec<usize> = (0..dots.len()).collect();
     order.sort_by_key(|index| !dots[*index].shown);
-    let spot = |dot: &ScatterDot, wider: f32, ink: Ink, name: RichText| Spot {
-        x: dot.s,
-        y: dot.alpha,
-        radius: wider + if dot.shown { 6.0 } else { 4.5 },
-        ink,
-        name,
-    };
+    // The name keeps off the ring, where there is one.
     let mut spots: Vec<Spot> = Vec::new();
-    for index in &order {
-        let dot = &dots[*index];
-        spots.push(spot(dot, 0.0, dot.fill.into(), elided(&dot.name, NAME_EM)));
-    }
+    let mut at = Vec::new();
     for dot in order.iter().map(|index| &dots[*index]) {
-        if let Some(ring) = dot.ring {
-            spots.push(spot(dot, 2.5, ring.into(), RichText::default()));
-        }
+        at.push(spots.len());
+        let spot = |wider: f32, ink: Ink, named: bool| Spot {
+            x: dot.s,
+            y: dot.alpha,
+            radius: wider + if dot.shown { 6.0 } else { 4.5 },
+            ink,
+            name: if named {
+                elided(&dot.name, NAME_EM)
+            } else {
+                RichText::default()
+            },
+        };
+        spots.push(spot(0.0, dot.fill.into(), dot.ring.is_none()));
+        spots.extend(dot.ring.map(|ring| spot(2.5, ring.into(), true)));
     }
     let drawn = plot.dots(0, &spots);
     let mut places = vec![None; dots.len()];
-    for (index, place) in order.into_iter().zip(drawn) {
-        places[index] = place;
+    for (index, at) in order.into_iter().zip(at) {
+        places[index] = drawn[at];
     }
     places
 }
 
-/// Whole decades that hold every s: 1 to 1000 where there is none.
-fn decades(dots: &[ScatterDot]) -> (i32, i32) {
+/// Ends for the axis of s, with some room beyond all values: 1 to 1000 where there is none.
+fn ends(dots: &[ScatterDot]) -> (f64, f64) {
     let logs = dots.iter().map(|dot| dot.s.log10());
     let (low, high) = logs
         .filter(|log| log.is_finite())
@@ -137,10 +133,11 @@ fn decades(dots: &[ScatterDot]) -> (i32, i32) {
             (low.min(log), high.max(log))
         });
     if low > high {
-        return (0, 3);
+        return (1.0, 1e3);
     }
-    let (from, to) = ((low - 0.05).floor() as i32, (high + 0.05).ceil() as i32);
-    (from, to.max(from + DECADES))
+    let half = (0.5 * (high - low) * 1.12 + 0.1).max(0.5 * DECADES);
+    let middle = 0.5 * (low + high);
+    (10f64.powf(middle - half), 10f64.powf(middle + half))
 }
 
 #[cfg(test)]
@@ -166,9 +163,10 @@ mod tests {
             dot("c", 100.0, 0.25),
         ];
         let plot = ScatterPlot::new(&dots, [600.0, 400.0]);
-        // Ends on a decade get one more, so that no dot lies on the frame.
+        // Two decades and 0.22 at each end, so that no dot lies on the frame.
         let Frame { min, max, x, .. } = plot.frame;
-        assert_eq!((x.floor, x.limit), (1.0, 1e4));
+        assert!((x.floor.log10() - 0.78).abs() < 1e-9 && (x.limit.log10() - 3.22).abs() < 1e-9);
+        let share = |log: f32| (log - 0.78) / 2.44;
         let point = |across: f32, alpha: f32| {
             let up = (alpha + 0.1) / 1.2;
             let [width, height] = [max[0] - min[0], max[1] - min[1]];
@@ -178,13 +176,13 @@ mod tests {
             let a = place.expect("it has a place");
             (a[0] - b[0]).hypot(a[1] - b[1]) < 0.01
         };
-        assert!(near(plot.places[0], point(0.25, 0.0)));
-        assert!(near(plot.places[1], point(0.75, 1.0)));
-        assert!(near(plot.places[2], point(0.5, 0.25)));
+        assert!(near(plot.places[0], point(share(1.0), 0.0)));
+        assert!(near(plot.places[1], point(share(3.0), 1.0)));
+        assert!(near(plot.places[2], point(share(2.0), 0.25)));
         // Not the same on a linear axis, nor upside down.
-        assert!(!near(plot.places[2], point(0.01, 0.25)));
-        assert!(!near(plot.places[2], point(0.5, 0.75)));
-        let [x, y] = point(0.75, 1.0);
+        assert!(!near(plot.places[2], point(0.057, 0.25)));
+        assert!(!near(plot.places[2], point(share(2.0), 0.75)));
+        let [x, y] = point(share(3.0), 1.0);
         assert_eq!(plot.dot_at([x + 9.0, y + 9.0]), Some(1));
         assert_eq!(plot.dot_at([x + 12.0, y + 12.0]), None);
         let drawn = |text: &str| {
