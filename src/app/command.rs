@@ -50,6 +50,7 @@ pub enum Command {
     ToggleTile(Pane),
     ResetLayout,
     Palette,
+    Lesson(usize),
     Conventions,
     About,
 }

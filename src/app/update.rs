@@ -3,6 +3,7 @@
 use super::command::Command;
 use super::derived::{self, DerivedMsg, Work};
 use super::fitting::{FitMsg, FitTask, Resolve, steps};
+use super::lessons;
 use super::open_fits;
 use super::probe::Probe;
 use super::run_command;
@@ -61,6 +62,10 @@ pub enum Msg {
     SetGrey(ParamId, bool),
     /// A view wishes for a result, or a job says something about one.
     Derived(Box<dyn DerivedMsg>),
+    /// Go to a step of a lesson.
+    Lesson { lesson: usize, step: usize },
+    /// The lesson is over.
+    EndLesson,
     /// Something about fitting.
     Fit(FitMsg),
     /// Change the sphere tile.
@@ -170,7 +175,10 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
         } => {
             state.jobs.retain(|other| other.id != job);
             match result {
-                Ok(loaded) => add_material(state, origin, loaded),
+                Ok(loaded) => {
+                    add_material(state, origin, loaded);
+                    return lessons::perform(state);
+                }
                 Err(Some(reason)) => notify(state, Level::Error, reason),
                 Err(None) => {}
             }
@@ -236,6 +244,8 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
             }
         }
         Msg::Derived(msg) => return derived::apply(state, msg),
+        Msg::Lesson { lesson, step } => return lessons::go(state, lesson, step),
+        Msg::EndLesson => state.lesson = None,
         Msg::Fit(msg) => return steps::apply(state, msg),
         Msg::SetSphere(sphere) => edit(state, |scene| scene.sphere = sphere),
         Msg::SetLobes(lobes) => edit(state, |scene| scene.lobes = lobes),

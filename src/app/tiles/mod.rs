@@ -10,6 +10,8 @@ pub mod sphere_callback;
 
 pub use panes::{PANES, Pane};
 
+use super::lessons::LookAt;
+use super::panels::lesson;
 use super::state::State;
 use super::update::Msg;
 use egui_tiles::{Behavior, Container, Tile, TileId, Tree, UiResponse};
@@ -158,6 +160,9 @@ impl Behavior<Pane> for View<'_> {
             ui.push_id(pane.row().key, |ui| {
                 *self.probed |= (pane.row().ui)(ui, self.state, self.out);
             });
+            if self.state.looks_at(LookAt::Tile(*pane)) {
+                lesson::frame(ui, ui.max_rect().expand(6.0));
+            }
         });
         UiResponse::None
     }
