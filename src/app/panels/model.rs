@@ -93,9 +93,11 @@ fn params_ui(ui: &mut egui::Ui, state: &State, brdf: &Brdf, colors: bool, out: &
         // The model's own row where it has one: ranges differ. The rest is shown greyed.
         let row = brdf.model.param(row.id).unwrap_or(row);
         let follows = state.fit.keep_optimal && colors;
+        let top = ui.cursor().min;
         ui.add_enabled_ui(brdf.uses(row.id) && !follows, |ui| {
             param_ui(ui, &state.scene, brdf, row, out);
         });
+        frame_from(ui, top, state.looks_at(LookAt::Param(row.id)));
         ui.add_space(4.0);
     }
 }
