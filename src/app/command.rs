@@ -58,6 +58,7 @@ pub enum Command {
     ToggleTile(Pane),
     ResetLayout,
     Palette,
+    Lesson(usize),
     Conventions,
     About,
 }

@@ -6,6 +6,7 @@ pub mod fitting;
 mod formula;
 mod history;
 mod jobs;
+pub mod lessons;
 pub mod library;
 mod open_fits;
 mod opening;
@@ -30,8 +31,9 @@ use egui::{Key, KeyboardShortcut, Modifiers};
 use fitting::FitMsg;
 use fitting::work::Fitter;
 use jobs::{Outbox, Queue};
+use lessons::LookAt;
 use panels::library::library_ui;
-use panels::{dialogs, fit, menu, model, notices, status};
+use panels::{dialogs, fit, lesson, menu, model, notices, status};
 use state::{Prefs, State, Theme};
 use std::path::PathBuf;
 use std::sync::mpsc::Receiver;
@@ -165,6 +167,7 @@ impl App {
             .show(ui, |ui| tiles.ui(ui, state, out));
         self.state.tiles = tiles;
         let state = &self.state;
+        lesson::lesson_ui(ui.ctx(), state, out);
         notices::notices_ui(ui.ctx(), state, out);
         dialogs::dialog_ui(ui.ctx(), state, &self.adapter, out);
     }
@@ -233,7 +236,13 @@ fn right_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
         .frame(egui::Frame::NONE)
         .default_size(FIT_HEIGHT.min(0.58 * height))
         .size_range(90.0..=(height - 120.0).max(100.0))
-        .show(ui, |ui| fit::fit_ui(ui, state, out));
+        .show(ui, |ui| {
+            let rect = ui.max_rect();
+            fit::fit_ui(ui, state, out);
+            if state.looks_at(LookAt::Fit) {
+                lesson::frame(ui, rect);
+            }
+        });
     egui::CentralPanel::no_frame().show(ui, |ui| model::model_ui(ui, state, out));
 }
 

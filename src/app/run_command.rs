@@ -2,6 +2,7 @@
 
 use super::command::Command;
 use super::fitting::{FitMsg, Settings, steps};
+use super::lessons;
 use super::library::{LibraryMsg, LibraryTask, fit_run, show};
 use super::state::{Dialog, Origin, State};
 use super::tiles::Tiles;
@@ -135,6 +136,7 @@ pub(super) fn run(state: &mut State, command: Command) -> Vec<Task> {
             state.typed.clear();
             state.dialog = Some(Dialog::OpenPath);
         }
+        Command::Lesson(lesson) => return lessons::go(state, lesson, 0),
         Command::Conventions => state.dialog = Some(Dialog::Conventions),
         Command::About => state.dialog = Some(Dialog::About),
     }

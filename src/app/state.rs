@@ -3,6 +3,7 @@
 use super::derived::Derived;
 use super::fitting::{FitState, KeptFit};
 use super::history::History;
+use super::lessons::LessonAt;
 use super::library::{Library, Presence};
 use super::probe::Probe;
 use super::subjects::SubjectKey;
@@ -315,6 +316,8 @@ pub struct State {
     pub hovered: Option<Probe>,
     /// The pair of directions that stays marked wherever the pointer goes.
     pub pinned: Option<Probe>,
+    /// Where a learner is.
+    pub lesson: Option<LessonAt>,
     /// Jobs under way, the oldest first.
     pub jobs: Vec<Job>,
     /// Notices, the oldest first.

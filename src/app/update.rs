@@ -3,6 +3,7 @@
 use super::command::Command;
 use super::derived::{self, DerivedMsg, Work};
 use super::fitting::{FitMsg, FitTask, Resolve, steps};
+use super::lessons;
 use super::library::{self, LibraryMsg, LibraryTask};
 use super::open_fits;
 use super::opening::forget_unreachable;
@@ -61,6 +62,10 @@ pub enum Msg {
     SetGrey(ParamId, bool),
     /// A view wishes for a result, or a job says something about one.
     Derived(Box<dyn DerivedMsg>),
+    /// Go to a step of a lesson.
+    Lesson { lesson: usize, step: usize },
+    /// The lesson is over.
+    EndLesson,
     /// Something about fitting.
     Fit(FitMsg),
     /// Something about the folder and memory.
@@ -193,6 +198,7 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
             result,
         } => {
             library::show::loaded(state, job, origin, result);
+            return lessons::perform(state);
         }
         Msg::FitsRead { job, path, fits } => {
             state.jobs.retain(|other| other.id != job);
@@ -251,6 +257,8 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
             }
         }
         Msg::Derived(msg) => return derived::apply(state, msg),
+        Msg::Lesson { lesson, step } => return lessons::go(state, lesson, step),
+        Msg::EndLesson => state.lesson = None,
         Msg::Fit(msg) => return steps::apply(state, msg),
         Msg::Library(msg) => return library::steps::apply(state, msg),
         Msg::SetSphere(sphere) => edit(state, |scene| scene.sphere = sphere),

@@ -1,6 +1,7 @@
 //! The rows of the command list, in menu order.
 
 use super::{Command, Entry, Place};
+use crate::app::lessons::LESSONS;
 use crate::app::state::{SHOWS, Show, Theme};
 use crate::app::tiles::PANES;
 use crate::brdf::MODELS;
@@ -321,6 +322,16 @@ pub(super) fn entries() -> Vec<Entry> {
         Some((CTRL, Key::P)),
         "Search all commands",
     );
+    for (index, lesson) in LESSONS.iter().enumerate() {
+        add(
+            "Help",
+            "Lessons",
+            Command::Lesson(index),
+            lesson.title,
+            None,
+            lesson.about,
+        );
+    }
     add(
         "Help",
         "",

@@ -5,6 +5,7 @@ pub mod fit;
 pub mod fit_details;
 pub mod fit_result;
 pub mod fit_stages;
+pub mod lesson;
 pub mod library;
 pub mod menu;
 pub mod model;

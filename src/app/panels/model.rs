@@ -1,7 +1,9 @@
 //! The model: its formula with live numbers and a slider per parameter row.
 
+use super::lesson;
 use crate::app::command::{Command, ENTRIES};
 use crate::app::formula;
+use crate::app::lessons::LookAt;
 use crate::app::paint::rich_text_job;
 use crate::app::state::{Scene, State};
 use crate::app::update::Msg;
@@ -29,9 +31,11 @@ pub fn model_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     egui::ScrollArea::vertical()
         .auto_shrink([false, true])
         .show(ui, |ui| {
+            let top = ui.cursor().min;
             choices_ui(ui, state, out);
             ui.add_space(6.0);
             formula_ui(ui, brdf);
+            frame_from(ui, top, state.looks_at(LookAt::Model));
             ui.add_space(6.0);
             // The shape first: it is dragged most, and has to be in sight above the fit.
             params_ui(ui, state, brdf, false, out);
@@ -89,9 +93,11 @@ fn params_ui(ui: &mut egui::Ui, state: &State, brdf: &Brdf, colors: bool, out: &
         // The model's own row where it has one: ranges differ. The rest is shown greyed.
         let row = brdf.model.param(row.id).unwrap_or(row);
         let follows = state.fit.keep_optimal && colors;
+        let top = ui.cursor().min;
         ui.add_enabled_ui(brdf.uses(row.id) && !follows, |ui| {
             param_ui(ui, &state.scene, brdf, row, out);
         });
+        frame_from(ui, top, state.looks_at(LookAt::Param(row.id)));
         ui.add_space(4.0);
     }
 }
@@ -134,6 +140,14 @@ fn formula_ui(ui: &mut egui::Ui, brdf: &Brdf) {
             .wrap(),
         );
     });
+}
+
+/// Frames what was drawn since, if a lesson speaks of it.
+fn frame_from(ui: &egui::Ui, top: egui::Pos2, framed: bool) {
+    if framed {
+        let bottom = egui::pos2(ui.max_rect().right(), ui.min_rect().bottom());
+        lesson::frame(ui, egui::Rect::from_min_max(top, bottom).expand(3.0));
+    }
 }
 
 fn param_ui(ui: &mut egui::Ui, scene: &Scene, brdf: &Brdf, row: &Param, out: &mut Vec<Msg>) {

@@ -22,6 +22,8 @@ mod zoom;
 
 pub use panes::{PANES, Pane};
 
+use super::lessons::LookAt;
+use super::panels::lesson;
 use super::state::State;
 use super::update::Msg;
 use egui_tiles::{Behavior, Container, Tile, TileId, Tree, UiResponse};
@@ -170,6 +172,9 @@ impl Behavior<Pane> for View<'_> {
             ui.push_id(pane.row().key, |ui| {
                 *self.probed |= (pane.row().ui)(ui, self.state, self.out);
             });
+            if self.state.looks_at(LookAt::Tile(*pane)) {
+                lesson::frame(ui, ui.max_rect().expand(6.0));
+            }
         });
         UiResponse::None
     }
