@@ -122,6 +122,19 @@ impl Anchor {
 pub const LINE_HEIGHT: f32 = 1.25;
 
 impl Label {
+    /// A level text without a halo; its size is in points.
+    pub fn new(text: RichText, pos: Point, anchor: Anchor, size: f32, ink: impl Into<Ink>) -> Self {
+        Self {
+            text,
+            pos,
+            anchor,
+            angle: 0.0,
+            size,
+            ink: ink.into(),
+            halo: false,
+        }
+    }
+
     /// Estimated bounding box (upper left, lower right) of the text before it is turned.
     pub fn bounds(&self) -> [Point; 2] {
         let (w, h) = (self.size * self.text.width_em(), self.size * LINE_HEIGHT);

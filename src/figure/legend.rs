@@ -45,15 +45,13 @@ pub(super) fn draw_entry(
         subject.look.dash(),
         Ink::from(Role::Series(subject.series)).faded(opacity),
     );
-    let label = Label {
-        text: name.clone(),
-        pos: [x + SWATCH_EM * font, y],
-        anchor: Anchor::LEFT,
-        angle: 0.0,
-        size: font,
-        ink: Ink::from(Role::Foreground).faded(opacity),
-        halo: false,
-    };
+    let label = Label::new(
+        name.clone(),
+        [x + SWATCH_EM * font, y],
+        Anchor::LEFT,
+        font,
+        Ink::from(Role::Foreground).faded(opacity),
+    );
     let half = 0.5 * LINE_HEIGHT * font;
     let end = label.bounds()[1][0];
     let bounds = [[x, y - half], [end, y + half]];

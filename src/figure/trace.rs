@@ -278,15 +278,7 @@ impl Sheet {
     }
 
     fn label(&self, text: &str, pos: Point, anchor: Anchor, role: Role) -> Label {
-        Label {
-            text: RichText::parse(text),
-            pos,
-            anchor,
-            angle: 0.0,
-            size: FONT,
-            ink: role.into(),
-            halo: false,
-        }
+        Label::new(RichText::parse(text), pos, anchor, FONT, role)
     }
 
     fn text(&mut self, text: &str, pos: Point, anchor: Anchor, role: Role) {

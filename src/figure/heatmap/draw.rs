@@ -43,23 +43,11 @@ pub(super) fn draw(spec: &HeatSpec, field: &Field, plan: &Plan, size: [f32; 2]) 
     {
         let middle = [0, 1].map(|k| 0.5 * (frame.min[k] + frame.max[k]));
         let text = RichText::literal(spec.nothing);
-        let mut label = text_at(text, middle, Anchor::CENTER, plan.font, Role::Muted);
+        let mut label = Label::new(text, middle, Anchor::CENTER, plan.font, Role::Muted);
         label.halo = true;
         drawing.items.push(Item::Text(label));
     }
     drawing
-}
-
-fn text_at(text: RichText, pos: Point, anchor: Anchor, size: f32, role: Role) -> Label {
-    Label {
-        text,
-        pos,
-        anchor,
-        angle: 0.0,
-        size,
-        ink: role.into(),
-        halo: false,
-    }
 }
 
 fn rectangle([a, b]: [Point; 2]) -> Vec<Point> {
@@ -76,7 +64,7 @@ fn axes(drawing: &mut Drawing, spec: &HeatSpec, plan: &Plan) {
         let x = left + width * tick.position as f32;
         drawing.line(vec![[x, bottom], [x, bottom + TICK]], 1.0, ink);
         let at = [x, bottom + TICK + 0.5 * LINE_HEIGHT * font];
-        texts.push(text_at(
+        texts.push(Label::new(
             tick.label.clone(),
             at,
             Anchor::CENTER,
@@ -88,7 +76,7 @@ fn axes(drawing: &mut Drawing, spec: &HeatSpec, plan: &Plan) {
         let y = bottom - height * tick.position as f32;
         drawing.line(vec![[left - TICK, y], [left, y]], 1.0, ink);
         let at = [left - TICK - 0.3 * font, y];
-        texts.push(text_at(
+        texts.push(Label::new(
             tick.label.clone(),
             at,
             Anchor::RIGHT,
@@ -98,7 +86,7 @@ fn axes(drawing: &mut Drawing, spec: &HeatSpec, plan: &Plan) {
     }
     drawing.line(rectangle([frame.min, frame.max]), 1.0, ink);
     let (title, at) = &plan.title;
-    texts.push(text_at(
+    texts.push(Label::new(
         title.clone(),
         *at,
         Anchor::LEFT,
@@ -107,12 +95,18 @@ fn axes(drawing: &mut Drawing, spec: &HeatSpec, plan: &Plan) {
     ));
     let below = [left + 0.5 * width, bottom + TICK + 1.5 * LINE_HEIGHT * font];
     let name = RichText::parse(&spec.x.title);
-    texts.push(text_at(name, below, Anchor::CENTER, font, Role::Foreground));
+    texts.push(Label::new(
+        name,
+        below,
+        Anchor::CENTER,
+        font,
+        Role::Foreground,
+    ));
     let widest = plan.y_ticks.iter().map(|tick| tick.label.width_em());
     let gap = TICK + font * (0.4 + widest.fold(0.0, f32::max)) + 0.6 * LINE_HEIGHT * font;
     let beside = [left - gap, top + 0.5 * height];
     let name = RichText::parse(&spec.y.title);
-    let mut label = text_at(name, beside, Anchor::CENTER, font, Role::Foreground);
+    let mut label = Label::new(name, beside, Anchor::CENTER, font, Role::Foreground);
     label.angle = -FRAC_PI_2;
     texts.push(label);
     drawing.items.extend(texts.into_iter().map(Item::Text));
@@ -146,7 +140,7 @@ fn bar(drawing: &mut Drawing, spec: &HeatSpec, plan: &Plan) {
         let y = bottom - (bottom - top) * tick.position as f32;
         drawing.line(vec![[right, y], [right + 3.0, y]], 1.0, ink);
         let at = [right + 0.5 * font, y];
-        let label = text_at(tick.label.clone(), at, Anchor::LEFT, font, Role::Muted);
+        let label = Label::new(tick.label.clone(), at, Anchor::LEFT, font, Role::Muted);
         drawing.items.push(Item::Text(label));
     }
     if plan.bar_title {
@@ -155,7 +149,7 @@ fn bar(drawing: &mut Drawing, spec: &HeatSpec, plan: &Plan) {
             0.5 * (top + bottom),
         ];
         let name = RichText::parse(&spec.bar_title);
-        let mut label = text_at(name, at, Anchor::CENTER, font, Role::Foreground);
+        let mut label = Label::new(name, at, Anchor::CENTER, font, Role::Foreground);
         label.angle = -FRAC_PI_2;
         drawing.items.push(Item::Text(label));
     }
@@ -178,7 +172,7 @@ fn key(drawing: &mut Drawing, spec: &HeatSpec, plan: &Plan, at: Point) {
     }
     drawing.line(rectangle(corners), 1.0, ink);
     let name = RichText::literal(spec.missing);
-    let label = text_at(
+    let label = Label::new(
         name,
         [at[0] + width + 0.4 * font, at[1]],
         Anchor::LEFT,
@@ -260,7 +254,7 @@ fn name_line(drawing: &mut Drawing, placing: &mut Placing, curve: &Curve, plan: 
     for run in runs.iter().filter(|run| length(run) > 30.0) {
         for share in [0.5, 0.3, 0.7, 0.15, 0.85] {
             let at = run[((run.len() - 1) as f32 * share) as usize];
-            let mut label = text_at(text.clone(), at, Anchor::CENTER, size, Role::Foreground);
+            let mut label = Label::new(text.clone(), at, Anchor::CENTER, size, Role::Foreground);
             label.halo = true;
             let [min, max] = label.bounds();
             let inside = (0..2).all(|k| min[k] >= plan.frame.min[k] && max[k] <= plan.frame.max[k]);

@@ -60,15 +60,7 @@ struct Sheet {
 
 impl Sheet {
     fn label(&self, text: RichText, pos: Point, anchor: Anchor, role: Role) -> Label {
-        Label {
-            text,
-            pos,
-            anchor,
-            angle: 0.0,
-            size: self.font,
-            ink: role.into(),
-            halo: false,
-        }
+        Label::new(text, pos, anchor, self.font, role)
     }
 }
 

@@ -32,15 +32,7 @@ impl<'a> Sheet<'a> {
 
     /// A text in the size of the plot, without a halo.
     pub fn label(&self, text: RichText, pos: Point, anchor: Anchor, role: Role) -> Label {
-        Label {
-            text,
-            pos,
-            anchor,
-            angle: 0.0,
-            size: self.font,
-            ink: role.into(),
-            halo: false,
-        }
+        Label::new(text, pos, anchor, self.font, role)
     }
 
     /// Whether a label is all in the half disc.

@@ -26,15 +26,7 @@ impl Sheet {
 
     /// A text in the size of the sheet, without a halo.
     pub fn label(&self, text: RichText, pos: Point, anchor: Anchor, role: Role) -> Label {
-        Label {
-            text,
-            pos,
-            anchor,
-            angle: 0.0,
-            size: self.font,
-            ink: role.into(),
-            halo: false,
-        }
+        Label::new(text, pos, anchor, self.font, role)
     }
 
     /// A text that has a place of its own.
