@@ -14,10 +14,12 @@ use crate::figure::Channel;
 use crate::figure::scale::RadialScale;
 use crate::files::SourceFile;
 use crate::fit::Variant;
+use crate::geom::degrees;
 use crate::geom::sphere::SphereView;
 use crate::geom::sphere_error::SphereError;
 use crate::measured::Table;
 use crate::measured::lookup::Lookup;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -72,7 +74,8 @@ impl Material {
 }
 
 /// Which parts of the picture the sphere shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Show {
     /// The data.
     Measured,
@@ -111,7 +114,7 @@ impl Show {
 }
 
 /// What the sphere tile shows.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SphereTile {
     /// Lights and exposure.
     pub view: SphereView,
@@ -122,9 +125,10 @@ pub struct SphereTile {
 }
 
 /// What the lobe tile shows.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LobeTile {
     /// Angles of incidence in radians.
+    #[serde(with = "degrees")]
     pub theta_i: Vec<f64>,
     /// The one whose vectors are drawn.
     pub active: usize,

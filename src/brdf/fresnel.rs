@@ -1,7 +1,10 @@
 //! The Fresnel factor of the specular term: unpolarised light on a dielectric, seen from outside.
 
+use serde::{Deserialize, Serialize};
+
 /// Which reflectance R_F(wi·wh, η) multiplies the specular term.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Fresnel {
     /// 1.
     None,

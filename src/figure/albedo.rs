@@ -10,8 +10,9 @@ use super::scale::{Axis, RadialScale, Steps, nice_limit};
 use super::subject::{Channel, Look, Source, Subject};
 use super::text::RichText;
 use crate::brdf;
-use crate::geom::Rgb;
+use crate::geom::{Rgb, degrees};
 use crate::measured;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
 use std::ops::ControlFlow;
 
@@ -81,15 +82,18 @@ pub struct AlbedoCurve<'a> {
 }
 
 /// What a plot of albedos shows.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct AlbedoSpec {
     /// What of the colours is plotted.
     pub channel: Channel,
     /// The part of θi that is seen, in radians; all of it without.
+    #[serde(with = "degrees")]
     pub window: Option<[f64; 2]>,
     /// The ends of the axis of albedos; from the curves without.
     pub limits: Option<[f64; 2]>,
     /// θi under the probe, in radians.
+    #[serde(skip)]
     pub probe: Option<Mark>,
 }
 

@@ -3,9 +3,11 @@
 use super::heatmap::{Cell, ColorScale, Field, HeatSpec, Law, Side, Spot, View};
 use super::scale::{Axis, RadialScale, nice_limit, number};
 use crate::geom::Rgb;
+use serde::{Deserialize, Serialize};
 
 /// The axes of an error map.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Plane {
     /// θi to the right, θo upwards.
     #[default]

@@ -7,12 +7,14 @@ use super::heatmap::{Cell, ColorScale, Curve, CurveKind, Field, HeatSpec, Law, S
 use super::mark::Mark;
 use super::scale::{Axis, RadialScale, nice_limit};
 use super::subject::{Channel, Source};
-use crate::geom::{HalfDiff, Rgb};
+use crate::geom::{HalfDiff, Rgb, degrees};
 use crate::measured::Grid;
 use crate::measured::grid::{THETA_D_BINS, THETA_H_BINS};
+use serde::{Deserialize, Serialize};
 
 /// What of a material is shown.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Shown {
     /// The data.
     #[default]
@@ -61,11 +63,13 @@ impl Shown {
 }
 
 /// What an image slice shows.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct ImageSpec {
     /// Data, model or their difference.
     pub shown: Shown,
     /// φd in radians.
+    #[serde(with = "degrees")]
     pub phi_d: f64,
     /// Whether θh is spread by its square root, so that all cells are of one size.
     pub root: bool,
@@ -78,6 +82,7 @@ pub struct ImageSpec {
     /// The part in sight.
     pub view: View,
     /// θh and θd of the probe in degrees.
+    #[serde(skip)]
     pub probe: Option<Mark<[f64; 2]>>,
 }
 

@@ -16,15 +16,19 @@ use super::legend::LegendEntry;
 use super::mark::Mark;
 use super::scale::{Axis, RadialScale, nice_limit};
 use super::subject::{Channel, Subject};
+use crate::geom::degrees;
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 /// Angles of incidence that are drawn are kept below this, so that wi stays above the horizon.
 pub const MAX_THETA_I: f64 = 89.5 * std::f64::consts::PI / 180.0;
 
 /// What a lobe plot shows of its curves.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct LobeSpec {
     /// Angles of incidence in radians, in [0, π/2].
+    #[serde(with = "degrees")]
     pub theta_i: Vec<f64>,
     /// Which of them is drawn strong, with its vectors.
     pub active: usize,
@@ -35,6 +39,7 @@ pub struct LobeSpec {
     /// What of the colours is plotted.
     pub channel: Channel,
     /// The view direction under the probe: signed θo in radians.
+    #[serde(skip)]
     pub probe: Option<Mark>,
     /// The value at the rim, in 1/sr; from the curves without it.
     pub limit: Option<f64>,

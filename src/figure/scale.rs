@@ -1,11 +1,14 @@
 //! How values become lengths: linear, cube root or logarithmic, with limits and ticks at round values.
 
+use serde::{Deserialize, Serialize};
+
 mod ticks;
 
 pub use ticks::{Steps, Tick, Ticks};
 
 /// The law of an axis.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum RadialScale {
     /// Length in proportion to the value.
     Linear,

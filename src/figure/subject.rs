@@ -5,11 +5,13 @@ use crate::geom::{Rgb, color::luminance};
 use crate::measured::Table;
 use crate::measured::lookup::Lookup;
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::Arc;
 
 /// What of a colour is plotted.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Channel {
     /// Relative luminance with the Rec. 709 primaries.
     #[default]

@@ -2,10 +2,12 @@
 
 use crate::brdf::{Brdf, Fresnel, MODELS, Model, Param, ParamId, Params};
 use crate::geom::Rgb;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
 
 /// How much a cell counts.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Weight {
     /// Every cell the same.
     Cells,

@@ -5,6 +5,7 @@
 
 pub mod color;
 pub mod cosines;
+pub mod degrees;
 pub mod directions;
 pub mod half_diff;
 pub mod sphere;

@@ -5,13 +5,14 @@
 
 use super::{HalfDiff, Rgb};
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
 /// How many lights the pass adds up.
 pub const MAX_LIGHTS: usize = 4;
 
 /// A light infinitely far away.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Light {
     /// Unit vector towards the light in view space. z < 0 is behind the sphere.
     pub direction: DVec3,
@@ -21,7 +22,8 @@ pub struct Light {
 }
 
 /// How the sphere is lit and exposed.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct SphereView {
     /// At most [`MAX_LIGHTS`] count.
     pub lights: Vec<Light>,

@@ -3,9 +3,11 @@
 
 use super::Rgb;
 use super::color::luminance;
+use serde::{Deserialize, Serialize};
 
 /// What is compared at a point of the sphere; both are of the luminance of what is seen there.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum SphereError {
     /// |model − measured|.
     Difference,

@@ -4,13 +4,15 @@ use super::grid::{THETA_D_BINS, THETA_H_BINS};
 use super::table::Table;
 use crate::geom::{HalfDiff, Rgb};
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 /// How a value is taken from a table.
 ///
 /// Both start from the bin coordinates (h, d, p) of [`crate::measured::Grid::bin_coordinates`]: h = 90 √(θ_h / 90°), d and p are
 /// θ_d and φ_d in degrees, φ_d wrapped to the grid (modulo 180° where it is folded, else 360°). Both have no value where
 /// the cell that holds the angles, ⌊(h, d, p)⌋ with 90 counted to the last bin, is invalid: gaps are the same in both.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Lookup {
     /// The number of the cell that holds the angles, as it was measured.
     #[default]

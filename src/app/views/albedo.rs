@@ -5,11 +5,13 @@
 use crate::app::derived::{Derived, Slot, Step, Wish};
 use crate::figure::albedo::{AlbedoCurve, AlbedoPoint, AlbedoSpec, angles, curve};
 use crate::figure::subject::{Source, Subject};
+use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 /// What the albedo plot shows.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct AlbedoView {
     /// Its `probe` is left out: it is filled in while drawing.
     pub spec: AlbedoSpec,

@@ -8,10 +8,12 @@ use crate::figure::heatmap::View;
 use crate::figure::scale::RadialScale;
 use crate::fit::error_map::{ErrorMap, error_map};
 use crate::fit::{ProblemError, Weight};
+use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
 
 /// What the tile of the error map is set to.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct ErrorMapView {
     /// Which axes.
     pub plane: Plane,

@@ -6,14 +6,18 @@ use crate::figure::heatmap::View;
 use crate::figure::image_slice::{ImageSpec, Shown};
 use crate::figure::scale::RadialScale;
 use crate::figure::subject::Channel;
+use crate::geom::degrees;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
 /// What the tile of the image slice is set to.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct ImageView {
     /// Data, model or their difference.
     pub shown: Shown,
     /// φd in radians, in [0, π].
+    #[serde(with = "degrees")]
     pub phi_d: f64,
     /// Whether θh is spread by its square root.
     pub root: bool,

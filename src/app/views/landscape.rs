@@ -7,10 +7,12 @@ use crate::brdf::{Brdf, Fresnel};
 use crate::figure::heatmap::View;
 use crate::fit::landscape::{self, Eta, Landscape, Word, landscape};
 use crate::fit::{Problem, ProblemError, Progress, Weight};
+use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
 
 /// What the tile of the error landscape is set to.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct LandscapeView {
     /// Whether η is the best one at each point instead of the slider's.
     pub solve_eta: bool,

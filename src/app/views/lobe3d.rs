@@ -3,11 +3,15 @@
 use crate::figure::Channel;
 use crate::figure::lobe3d::Camera;
 use crate::figure::scale::RadialScale;
+use crate::geom::degrees;
+use serde::{Deserialize, Serialize};
 
 /// What the tile of lobes in space shows.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Lobe3dView {
     /// Angle of incidence in radians where there is no probe.
+    #[serde(with = "degrees")]
     pub theta_i: f64,
     /// Radius per f_r.
     pub scale: RadialScale,

@@ -4,10 +4,12 @@ use crate::app::probe::{Probe, same};
 use crate::figure::Mark;
 use crate::figure::slices::{Over, SliceSpec};
 use crate::geom::HalfDiff;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// What the slices show.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct SlicesView {
     /// Its `probe` is left out: it is filled in while drawing.
     pub spec: SliceSpec,

@@ -2,9 +2,11 @@
 
 use super::Side;
 use crate::figure::drawing::Point;
+use serde::{Deserialize, Serialize};
 
 /// The part of both axes that is in sight, as shares from 0 to 1.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct View {
     /// First and last share to the right.
     pub x: (f64, f64),

@@ -2,9 +2,11 @@
 
 use crate::figure::drawing::Point;
 use glam::{DMat3, DQuat, DVec3};
+use serde::{Deserialize, Serialize};
 
 /// A view of the unit dome. The same on every canvas.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Camera {
     /// From the surface's frame to the view: x to the right, y up, z to the eye.
     pub rotation: DQuat,

@@ -3,12 +3,14 @@
 use crate::figure::mark::Mark;
 use crate::figure::scale::RadialScale;
 use crate::figure::subject::{Channel, Subject};
-use crate::geom::HalfDiff;
+use crate::geom::{HalfDiff, degrees};
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// The angle that a slice runs over.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Over {
     /// Signed θo in the plane of incidence, at one or more θi.
     #[default]
@@ -71,7 +73,8 @@ impl Over {
 }
 
 /// What is shown below the curves.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Residual {
     /// Nothing.
     #[default]
@@ -116,19 +119,24 @@ const NARROWEST: f64 = 1e-5;
 const OFF_POLE: f64 = 1e-9;
 
 /// What a plot of slices shows of its subjects.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct SliceSpec {
     /// The angle that runs.
     pub over: Over,
     /// Angles of incidence of slices over θo, in radians, in [0, π/2].
+    #[serde(with = "degrees")]
     pub theta_i: Vec<f64>,
     /// Which of them is drawn strong.
     pub active: usize,
     /// Fixed θh in radians, in slices over θd and φd.
+    #[serde(with = "degrees")]
     pub theta_h: f64,
     /// Fixed θd in radians, in slices over θh and φd.
+    #[serde(with = "degrees")]
     pub theta_d: f64,
     /// Fixed φd in radians, in slices over θh and θd.
+    #[serde(with = "degrees")]
     pub phi_d: f64,
     /// How values become heights.
     pub scale: RadialScale,
@@ -139,10 +147,12 @@ pub struct SliceSpec {
     /// What is shown below the curves.
     pub residual: Residual,
     /// The part of the angle that is seen, in radians; all of it without.
+    #[serde(with = "degrees")]
     pub window: Option<[f64; 2]>,
     /// The ends of the axis of values in 1/sr; from the curves without.
     pub limits: Option<[f64; 2]>,
     /// The angle under the probe, in radians.
+    #[serde(skip)]
     pub probe: Option<Mark>,
 }
 
