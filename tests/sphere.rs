@@ -5,7 +5,7 @@ mod common;
 use common::{Random, gpu};
 use grazing::brdf::fresnel::Fresnel;
 use grazing::brdf::{Brdf, MODELS, Params};
-use grazing::figure::sphere_image::{error_image, sphere_image};
+use grazing::figure::sphere_image::{SphereSource, error_colors, render, sphere_image};
 use grazing::figure::subject::Source;
 use grazing::geom::Cosines;
 use grazing::geom::color::srgb_bytes;
@@ -202,42 +202,99 @@ fn gl_draws_the_same_sphere() {
     assert!(b.get_pixel(SIZE * 3 / 4, SIZE / 2).0[0] > 40, "lit");
 }
 
-/// Mean distance in steps of 255 between the picture of the adapter and the one without, for the table and the model.
-fn mean_distance(gpu: &Gpu, table: &Arc<Table>, shift: f64) -> f64 {
+/// Mean distance in steps of 255 between two pictures with premultiplied bytes.
+fn mean_distance(first: &RgbaImage, second: &[u8]) -> f64 {
+    let distances = first.as_raw().iter().zip(second);
+    let sum: f64 = distances.map(|(a, b)| f64::from(a.abs_diff(*b))).sum();
+    sum / second.len() as f64
+}
+
+/// The share of pixels that are more than two steps of 255 apart in some channel.
+fn share_of_others(first: &RgbaImage, second: &[u8]) -> f64 {
+    let pixels = first.pixels().zip(second.as_chunks::<4>().0);
+    let apart =
+        |(a, b): &(&image::Rgba<u8>, &[u8; 4])| a.0.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 2);
+    pixels.filter(apart).count() as f64 / f64::from(SIZE * SIZE)
+}
+
+/// A way to draw without an adapter, premultiplied.
+type Draw = fn(&SphereSource, &SphereView) -> Vec<u8>;
+
+const ON_SCREEN: Draw = |source, view| sphere_image(source, view, SIZE as usize);
+
+const FOR_FILES: Draw = |source, view| {
+    let mut bytes = render(source, view, SIZE as usize).to_rgba8();
+    for [r, g, b, alpha] in bytes.as_chunks_mut::<4>().0 {
+        for value in [r, g, b] {
+            *value = (f64::from(*value) * f64::from(*alpha) / 255.0).round() as u8;
+        }
+    }
+    bytes
+};
+
+/// How far the picture of the adapter is from the one without, the mean of table, model and the two split.
+fn adapter_distance(
+    gpu: &Gpu,
+    table: &Arc<Table>,
+    draw: Draw,
+    shift: f64,
+    distance: fn(&RgbaImage, &[u8]) -> f64,
+) -> f64 {
     let texture = TableTexture::upload(&gpu.device, &gpu.queue, table);
     let view = SphereView {
         exposure_stops: shift,
         ..SphereView::default()
     };
+    let measured = Source::Measured(Arc::clone(table), Lookup::Smooth);
+    let model = Source::Model(brdf());
     let sources = [
-        (2.0, Source::Measured(Arc::clone(table), Lookup::Smooth)),
-        (-2.0, Source::Model(brdf())),
+        (2.0, SphereSource::One(measured.clone())),
+        (-2.0, SphereSource::One(model.clone())),
+        (
+            0.25,
+            SphereSource::Split {
+                left: measured,
+                right: model,
+                at: 0.25,
+            },
+        ),
     ];
-    let mut total = 0.0;
-    for (split, source) in sources {
-        let first = picture(gpu, &texture, split, Lookup::Smooth);
-        let second = sphere_image(&source, &view, SIZE as usize);
-        let distances = first.as_raw().iter().zip(&second);
-        let sum: f64 = distances.map(|(a, b)| f64::from(a.abs_diff(*b))).sum();
-        total += sum / second.len() as f64;
-    }
-    0.5 * total
+    let distances = sources.iter().map(|(split, source)| {
+        let first = picture(gpu, &texture, *split, Lookup::Smooth);
+        distance(&first, &draw(source, &view))
+    });
+    distances.sum::<f64>() / sources.len() as f64
 }
 
 #[test]
 fn the_picture_without_an_adapter_is_the_same() {
     let Some(gpu) = gpu() else { return };
     let table = Arc::new(table(0.2));
-    let mean = mean_distance(&gpu, &table, 0.0);
-    println!("with and without an adapter: {mean:.3} of 255 apart");
-    assert!(mean < 0.05, "{mean}");
+    let mean = |shift| adapter_distance(&gpu, &table, ON_SCREEN, shift, mean_distance);
+    println!("one sample a pixel: {:.3} of 255 apart", mean(0.0));
+    assert!(mean(0.0) < 0.05, "{}", mean(0.0));
     // A fortieth of a stop is 1.7 % of the light.
-    let planted = mean_distance(&gpu, &table, 0.025);
-    assert!(planted > 0.2, "a planted shift went unnoticed: {planted}");
+    assert!(
+        mean(0.025) > 0.2,
+        "a planted shift went unnoticed: {}",
+        mean(0.025)
+    );
+    // Sixteen samples differ from one where the colour bends: at the rim, the hatch and the highlights.
+    let share = |shift| adapter_distance(&gpu, &table, FOR_FILES, shift, share_of_others);
+    println!(
+        "sixteen samples a pixel: {:.4} of the pixels differ",
+        share(0.0)
+    );
+    assert!(share(0.0) < 0.06, "{}", share(0.0));
+    assert!(
+        share(0.1) > 0.2,
+        "a planted shift went unnoticed: {}",
+        share(0.1)
+    );
 }
 
 /// Mean distance in steps of 255 between the comparison on the adapter and the one without.
-fn mean_compared_distance(gpu: &Gpu, table: &Arc<Table>, error: SphereError, shift: f64) -> f64 {
+fn compared_distance(gpu: &Gpu, table: &Arc<Table>, error: SphereError, shift: f64) -> f64 {
     let texture = TableTexture::upload(&gpu.device, &gpu.queue, table);
     let pass = SpherePass::new(&gpu.device, offscreen::FORMAT);
     let slot = pass.slot(&gpu.device, &texture);
@@ -245,28 +302,17 @@ fn mean_compared_distance(gpu: &Gpu, table: &Arc<Table>, error: SphereError, shi
     let mut other = brdf();
     other.params.k_s = [4.0; 3];
     let view = SphereView::default();
-    let colors = std::array::from_fn(|k| [8 * k.min(31) as u8, 255 - 8 * k.min(31) as u8, 77]);
+    let colors = std::array::from_fn(|k| error_colors(error).color(k as f64 / 32.0));
     let uniform = SphereUniform::new(&view, &other, Lookup::Smooth, 0.0, 0.5 * SIZE as f32);
     slot.write(&gpu.queue, &uniform.comparing(error, &colors));
     let first = offscreen::render(gpu, SIZE, |render| pass.draw_compared(render, &slot));
-    let first = first.expect("a picture");
-    let map = |place: f64| {
-        let x = (place + shift).clamp(0.0, 1.0) * 32.0;
-        let low = (x as usize).min(31);
-        let mix = |a: u8, b: u8| {
-            let (a, b) = (f64::from(a), f64::from(b));
-            (a + (x - low as f64) * (b - a)).round() as u8
-        };
-        std::array::from_fn(|k| mix(colors[low][k], colors[low + 1][k]))
+    other.params.k_s = [4.0 + shift; 3];
+    let source = SphereSource::Compared {
+        measured: Source::Measured(Arc::clone(table), Lookup::Smooth),
+        model: Source::Model(other),
+        error,
     };
-    let sources = [
-        Source::Measured(Arc::clone(table), Lookup::Smooth),
-        Source::Model(other),
-    ];
-    let second = error_image([&sources[0], &sources[1]], &view, error, map, SIZE as usize);
-    let distances = first.as_raw().iter().zip(&second);
-    let sum: f64 = distances.map(|(a, b)| f64::from(a.abs_diff(*b))).sum();
-    sum / second.len() as f64
+    mean_distance(&first.expect("a picture"), &ON_SCREEN(&source, &view))
 }
 
 #[test]
@@ -274,10 +320,13 @@ fn the_comparison_is_its_definition() {
     let Some(gpu) = gpu() else { return };
     let table = Arc::new(table(0.2));
     for error in [SphereError::Difference, SphereError::Ratio] {
-        let mean = mean_compared_distance(&gpu, &table, error, 0.0);
+        let mean = compared_distance(&gpu, &table, error, 0.0);
         println!("{error:?} with and without an adapter: {mean:.3} of 255 apart");
-        assert!(mean < 0.1, "{error:?}: {mean}");
-        let planted = mean_compared_distance(&gpu, &table, error, 0.02);
-        assert!(planted > 0.5, "a shift went unnoticed: {error:?} {planted}");
+        assert!(mean < 0.08, "{error:?}: {mean}");
+        let planted = compared_distance(&gpu, &table, error, 1.0);
+        assert!(
+            planted > 0.25,
+            "a shift went unnoticed: {error:?} {planted}"
+        );
     }
 }

@@ -1,79 +1,132 @@
 //! The lit sphere as pixels, without a graphics adapter: the twin in f64 of what `gpu/sphere.wgsl` draws.
+//!
+//! [`render`] makes pictures for files, [`sphere_image`] small ones for the screen; both are of a [`SphereSource`].
 
+mod render;
+
+pub use render::{LinearImage, SAMPLES_A_SIDE, render};
+
+use super::colormap::ColorMap;
 use super::subject::Source;
 use crate::geom::Rgb;
-use crate::geom::color::srgb_encode;
+use crate::geom::color::{srgb_decode, srgb_encode};
 use crate::geom::sphere::{HATCH, SphereView, irradiance, local_directions};
 use crate::geom::sphere_error::SphereError;
 use rayon::prelude::*;
 
-/// Bytes of a pixel: RGBA, sRGB-encoded, premultiplied; transparent outside the sphere.
+/// What a sphere shows.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SphereSource {
+    /// One BRDF.
+    One(Source),
+    /// Two, side by side on one sphere.
+    Split {
+        /// Left of the line.
+        left: Source,
+        /// Right of it.
+        right: Source,
+        /// Where the line is: −1 is the left rim, 1 the right one.
+        at: f64,
+    },
+    /// How far a model is from a measurement, in the colours of [`error_colors`].
+    Compared {
+        /// The measurement.
+        measured: Source,
+        /// The model.
+        model: Source,
+        /// How they are compared.
+        error: SphereError,
+    },
+}
+
+/// The colours in which a comparison is shown.
+pub fn error_colors(error: SphereError) -> ColorMap {
+    match error {
+        SphereError::Difference => ColorMap::Sequential,
+        SphereError::Ratio => ColorMap::Diverging,
+    }
+}
+
+impl SphereSource {
+    /// Linear RGB at a point inside the sphere, in units of its radius, exposed and not clamped; `None` where a light
+    /// above the horizon has no value.
+    fn seen_at(&self, view: &SphereView, x: f64, y: f64) -> Option<Rgb> {
+        match self {
+            Self::One(source) => radiance_at(source, view, x, y),
+            Self::Split { left, right, at } => {
+                let source = if x < *at { left } else { right };
+                radiance_at(source, view, x, y)
+            }
+            Self::Compared {
+                measured,
+                model,
+                error,
+            } => {
+                let measured = radiance_at(measured, view, x, y)?;
+                let model = radiance_at(model, view, x, y)?;
+                let Some(place) = error.place(measured, model) else {
+                    return Some(hatch_color(0));
+                };
+                let color = error_colors(*error).color(place);
+                Some(color.map(|value| srgb_decode(f64::from(value) / 255.0)))
+            }
+        }
+    }
+}
+
+/// Bytes of a pixel: RGBA, sRGB-encoded.
 pub const PIXEL: usize = 4;
 
-/// A square picture of `size` pixels a side, [`PIXEL`] bytes each, rows from above; hatched where nothing was measured.
+/// A square picture of `size` pixels a side, [`PIXEL`] bytes each, premultiplied, rows from above; transparent outside
+/// the sphere, hatched where nothing was measured.
 ///
-/// One sample a pixel with a soft rim. A table at 96 pixels takes about 10 ms of processor time.
-pub fn sphere_image(source: &Source, view: &SphereView, size: usize) -> Vec<u8> {
-    image_of(size, |x, y| {
-        Some(radiance_at(source, view, x, y)?.map(srgb_encode))
-    })
-}
-
-/// The same of how far a model is from a measurement, in the colours of `map` for places in [0, 1].
-pub fn error_image(
-    [measured, model]: [&Source; 2],
-    view: &SphereView,
-    error: SphereError,
-    map: impl Fn(f64) -> [u8; 3] + Sync,
-    size: usize,
-) -> Vec<u8> {
-    image_of(size, |x, y| {
-        let measured = radiance_at(measured, view, x, y)?;
-        let model = radiance_at(model, view, x, y)?;
-        let color = error.place(measured, model).map(&map);
-        Some(color.map_or_else(
-            || hatch_tone(0),
-            |color| color.map(|value| f64::from(value) / 255.0),
-        ))
-    })
-}
-
-/// A sphere whose sRGB-encoded colour at a point in units of its radius is `color`; hatched where that is `None`.
-fn image_of(size: usize, color: impl Fn(f64, f64) -> Option<Rgb> + Sync) -> Vec<u8> {
+/// One sample a pixel with a soft rim, as on the adapter. A table at 96 pixels takes about 10 ms of processor time.
+pub fn sphere_image(source: &SphereSource, view: &SphereView, size: usize) -> Vec<u8> {
     let mut bytes = vec![0; size * size * PIXEL];
     let rows = bytes.par_chunks_mut((size * PIXEL).max(1)).enumerate();
     rows.for_each(|(y, row)| {
         for (x, pixel) in row.chunks_exact_mut(PIXEL).enumerate() {
-            pixel.copy_from_slice(&pixel_at(&color, size, [x, y]));
+            pixel.copy_from_slice(&pixel_at(source, view, size, [x, y]));
         }
     });
     bytes
 }
 
-fn pixel_at(
-    color: &impl Fn(f64, f64) -> Option<Rgb>,
-    size: usize,
-    [x, y]: [usize; 2],
-) -> [u8; PIXEL] {
-    // A pixel is left free around the sphere.
+fn pixel_at(source: &SphereSource, view: &SphereView, size: usize, at: [usize; 2]) -> [u8; PIXEL] {
     let radius_px = 0.5 * size as f64;
-    let unit = |k: usize| (k as f64 + 0.5 - radius_px) / radius_px * (1.0 + 2.0 / radius_px);
-    let (x_unit, y_unit) = (unit(x), -unit(y));
-    let radius = x_unit.hypot(y_unit);
+    let [x_px, y_px] = at.map(|k| k as f64 + 0.5);
+    let (x, y) = unit_point(size, x_px, y_px);
+    let radius = x.hypot(y);
     let coverage = ((1.0 - radius) * radius_px + 0.5).clamp(0.0, 1.0);
     if coverage == 0.0 {
         return [0; PIXEL];
     }
     // The soft rim is shaded as the last point of the sphere.
     let inside = (0.9999 / radius.max(1e-6)).min(1.0);
-    let [r, g, b] = color(x_unit * inside, y_unit * inside)
-        .unwrap_or_else(|| hatch_tone(usize::from((x + y + 1) % 8 >= 4)));
+    let color = source.seen_at(view, x * inside, y * inside);
+    let color = color.unwrap_or_else(|| hatch_color(hatch_tone(size, x_px, y_px)));
+    let [r, g, b] = color.map(srgb_encode);
     [r, g, b, 1.0].map(|value| (255.0 * coverage * value).round() as u8)
 }
 
-fn hatch_tone(index: usize) -> Rgb {
-    let [r, g, b, _] = HATCH[index].map(f64::from);
-    [r, g, b]
+/// A place in pixels from the upper left corner of a picture, in units of the sphere's radius with y up. A pixel is
+/// left free around the sphere.
+fn unit_point(size: usize, x_px: f64, y_px: f64) -> (f64, f64) {
+    let radius_px = 0.5 * size as f64;
+    let unit = |place: f64| (place - radius_px) / radius_px * (1.0 + 2.0 / radius_px);
+    (unit(x_px), -unit(y_px))
+}
+
+/// Which of the two tones the hatch has at a place in pixels. Its stripes grow with large pictures.
+fn hatch_tone(size: usize, x_px: f64, y_px: f64) -> usize {
+    let period = (size as f64 / 32.0).max(8.0);
+    usize::from((x_px + y_px).rem_euclid(period) >= 0.5 * period)
+}
+
+/// A tone of the hatch in linear RGB.
+fn hatch_color(tone: usize) -> Rgb {
+    let [r, g, b, _] = HATCH[tone].map(f64::from);
+    [r, g, b].map(srgb_decode)
 }
 
 /// What is seen at a point of the exposed sphere; `None` where a light above the horizon has no value.
@@ -96,42 +149,4 @@ fn radiance_at(source: &Source, view: &SphereView, x: f64, y: f64) -> Option<Rgb
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use std::f64::consts::{FRAC_1_PI, PI};
-    use std::sync::Arc;
-
-    /// A diffuse sphere of albedo `albedo` seen at a pixel of `size`.
-    fn lambert(albedo: f64, size: usize, at: [usize; 2]) -> [u8; PIXEL] {
-        let source = Source::Function(Arc::new(move |_, _| Some([albedo * FRAC_1_PI; 3])));
-        let bytes = sphere_image(&source, &SphereView::default(), size);
-        let start = (at[1] * size + at[0]) * PIXEL;
-        std::array::from_fn(|k| bytes[start + k])
-    }
-
-    #[test]
-    fn a_diffuse_sphere_is_its_closed_form() {
-        let (size, at) = (64, [40, 20]);
-        let unit = |k: usize| (k as f64 + 0.5 - 32.0) / 32.0 * (1.0 + 2.0 / 32.0);
-        let (x, y) = (unit(at[0]), -unit(at[1]));
-        let n = glam::DVec3::new(x, y, (1.0 - x * x - y * y).sqrt());
-        let lights = SphereView::default().lights;
-        // ρ/π cos θi E with E = π.
-        let lit: f64 = lights.iter().map(|l| l.direction.dot(n).max(0.0)).sum();
-        let wanted = (255.0 * srgb_encode(0.5 * FRAC_1_PI * PI * lit)).round() as u8;
-        assert_eq!(lambert(0.5, size, at), [wanted, wanted, wanted, 255]);
-        assert_ne!(lambert(0.52, size, at)[0], wanted, "4 % went unnoticed");
-        assert_eq!(lambert(0.5, size, [0, 0]), [0; PIXEL]);
-    }
-
-    #[test]
-    fn nothing_measured_is_hatched_where_there_is_light() {
-        let source = Source::Function(Arc::new(|_, _| None));
-        let bytes = sphere_image(&source, &SphereView::default(), 32);
-        let tones = HATCH.map(|tone| tone.map(|x| (255.0 * x).round() as u8));
-        let inside = bytes.chunks_exact(PIXEL).filter(|pixel| pixel[3] == 255);
-        let hatched = inside.filter(|pixel| tones.iter().any(|tone| tone == pixel));
-        assert!(hatched.count() > 300);
-        assert!(sphere_image(&source, &SphereView::default(), 0).is_empty());
-    }
-}
+mod tests;

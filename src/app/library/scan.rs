@@ -5,7 +5,7 @@ use crate::app::jobs::Outbox;
 use crate::app::state::CancelFlag;
 use crate::app::update::Msg;
 use crate::figure::Source;
-use crate::figure::sphere_image::sphere_image;
+use crate::figure::sphere_image::{SphereSource, sphere_image};
 use crate::files::{self, FileError, folder};
 use crate::geom::color::srgb_bytes;
 use crate::geom::sphere::SphereView;
@@ -107,6 +107,10 @@ impl Scanner {
 /// The material on a sphere under the first lights.
 fn thumbnail(table: &Arc<Table>) -> egui::ColorImage {
     let source = Source::Measured(Arc::clone(table), Lookup::Smooth);
-    let bytes = sphere_image(&source, &SphereView::default(), THUMBNAIL);
+    let bytes = sphere_image(
+        &SphereSource::One(source),
+        &SphereView::default(),
+        THUMBNAIL,
+    );
     egui::ColorImage::from_rgba_premultiplied([THUMBNAIL; 2], &bytes)
 }

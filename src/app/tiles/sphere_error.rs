@@ -2,8 +2,8 @@
 
 use super::sphere::OnScreen;
 use crate::app::paint;
-use crate::figure::colormap::ColorMap;
 use crate::figure::scale::number;
+use crate::figure::sphere_image::error_colors;
 use crate::geom::sphere_error::{DIFFERENCE_LIMIT, RATIO_STOPS, SphereError};
 use crate::gpu::sphere_pass::COLORS;
 use egui::{Align2, Color32, FontId, Pos2, Rect, Stroke, pos2, vec2};
@@ -20,10 +20,7 @@ pub fn beside_bar(rect: Rect) -> Rect {
 
 /// The map of a comparison at even places from 0 to 1.
 pub fn colors(error: SphereError) -> [[u8; 3]; COLORS] {
-    let map = match error {
-        SphereError::Difference => ColorMap::Sequential,
-        SphereError::Ratio => ColorMap::Diverging,
-    };
+    let map = error_colors(error);
     std::array::from_fn(|k| map.color(k as f64 / (COLORS - 1) as f64))
 }
 
