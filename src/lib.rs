@@ -10,6 +10,7 @@
 //! | [`fit`] | from a table to parameters | the same |
 //! | [`figure`] | what is drawn, as data | the same |
 //! | [`files`] | opening materials and models, writing whole files | egui, wgpu, threads |
+//! | [`export`] | figures from files to files: open, fit, draw, write | egui, wgpu, threads |
 //! | [`gpu`] | adapters, tables as textures, the sphere pass, pictures without a window | egui |
 //! | [`app`] | the window: state, messages, jobs, panels, tiles | – |
 //! | [`cli`] | the command line: the window, or the same work without one | – |
@@ -25,6 +26,7 @@
 pub mod app;
 pub mod brdf;
 pub mod cli;
+pub mod export;
 pub mod figure;
 pub mod files;
 pub mod fit;

@@ -10,7 +10,7 @@ struct Rule {
     pure: bool,
 }
 
-const RULES: [Rule; 9] = [
+const RULES: [Rule; 10] = [
     Rule {
         module: "geom",
         may_use: &[],
@@ -42,19 +42,26 @@ const RULES: [Rule; 9] = [
         pure: false,
     },
     Rule {
+        module: "export",
+        may_use: &["geom", "brdf", "measured", "fit", "figure", "files"],
+        pure: false,
+    },
+    Rule {
         module: "gpu",
         may_use: &["geom", "brdf", "measured"],
         pure: false,
     },
     Rule {
         module: "app",
-        may_use: &["geom", "brdf", "measured", "fit", "figure", "files", "gpu"],
+        may_use: &[
+            "geom", "brdf", "measured", "fit", "figure", "files", "export", "gpu",
+        ],
         pure: false,
     },
     Rule {
         module: "cli",
         may_use: &[
-            "geom", "brdf", "measured", "fit", "figure", "files", "gpu", "app",
+            "geom", "brdf", "measured", "fit", "figure", "files", "export", "gpu", "app",
         ],
         pure: false,
     },

@@ -4,6 +4,7 @@
 //! `none` where absent. Other keys are left alone, so that richer files (a fit with its error, say) open too.
 
 use super::{Brdf, Fresnel, MODELS, Model, Params, fresnel::FRESNELS};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value, json};
 
 /// Why a JSON value is no BRDF: one clear sentence.
@@ -114,6 +115,21 @@ pub fn to_value(brdf: &Brdf) -> Value {
         object.insert(row.key.into(), value);
     }
     Value::Object(object)
+}
+
+impl Serialize for Brdf {
+    /// As [`to_value`].
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        to_value(self).serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Brdf {
+    /// As [`from_value`].
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let value = Value::deserialize(deserializer)?;
+        from_value(&value).map_err(serde::de::Error::custom)
+    }
 }
 
 /// Takes one BRDF out of a text that holds an object or an array of objects.

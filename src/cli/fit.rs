@@ -1,13 +1,13 @@
 //! `grazing fit FILE…`: parameters of models from measured files.
 
 mod parse;
-mod progress;
+pub(super) mod progress;
 
 use super::CliError;
 use crate::brdf::fresnel::FRESNELS;
 use crate::brdf::{Fresnel, MODELS, Model, params};
 use crate::files::fits::{FitRecord, write_csv, write_json};
-use crate::files::{self, FileError, write_atomically};
+use crate::files::{self, FileError, place, write_atomically};
 use crate::fit::{Options, Partial, Problem, Variant, WEIGHTS, Weight, fit_all};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser as _};
 use progress::Bar;
@@ -198,21 +198,6 @@ impl Args {
             }
         }
         Ok(())
-    }
-}
-
-/// The same for two paths that lead to the same file, also where it is not there yet.
-fn place(path: &Path) -> PathBuf {
-    let path = files::absolute(path);
-    if let Ok(place) = path.canonicalize() {
-        return place;
-    }
-    match (
-        path.parent().and_then(|folder| folder.canonicalize().ok()),
-        path.file_name(),
-    ) {
-        (Some(folder), Some(name)) => folder.join(name),
-        _ => path,
     }
 }
 

@@ -4,6 +4,7 @@
 
 mod csv_table;
 mod eval;
+mod figure;
 mod fit;
 mod info;
 mod sample;
@@ -35,6 +36,7 @@ enum Command {
     Sample(sample::Args),
     Eval(eval::Args),
     Fit(Box<fit::Args>),
+    Figure(Box<figure::Args>),
 }
 
 /// Why a command failed.
@@ -68,6 +70,7 @@ pub fn main() -> ExitCode {
         Some(Command::Sample(args)) => sample::run(args, &mut out),
         Some(Command::Eval(args)) => eval::run(args, &mut out),
         Some(Command::Fit(args)) => fit::run(args, &mut out),
+        Some(Command::Figure(args)) => figure::run(args, &mut out),
     };
     finish(result.and_then(|()| Ok(out.flush()?)))
 }

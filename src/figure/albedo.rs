@@ -83,7 +83,7 @@ pub struct AlbedoCurve<'a> {
 
 /// What a plot of albedos shows.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct AlbedoSpec {
     /// What of the colours is plotted.
     pub channel: Channel,

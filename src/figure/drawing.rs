@@ -118,6 +118,16 @@ impl Anchor {
     }
 }
 
+/// Font size of a plot in points: grows with the plot, within what is easy to read.
+pub fn font_size([width, height]: [f32; 2]) -> f32 {
+    (width.min(1.4 * height) / 38.0).clamp(SMALLEST_FONT, LARGEST_FONT)
+}
+
+/// Font size of small plots in points.
+pub const SMALLEST_FONT: f32 = 9.5;
+/// Font size of large plots in points.
+pub const LARGEST_FONT: f32 = 14.0;
+
 /// Height of a line of text in units of its font size.
 pub const LINE_HEIGHT: f32 = 1.25;
 

@@ -64,7 +64,7 @@ impl Shown {
 
 /// What an image slice shows.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct ImageSpec {
     /// Data, model or their difference.
     pub shown: Shown,
@@ -79,6 +79,8 @@ pub struct ImageSpec {
     pub channel: Channel,
     /// Whether f_r is multiplied by cos θi.
     pub with_cosine: bool,
+    /// The ends of the colours of data and model, in 1/sr; from the data without.
+    pub limits: Option<[f64; 2]>,
     /// The part in sight.
     pub view: View,
     /// θh and θd of the probe in degrees.
@@ -95,6 +97,7 @@ impl Default for ImageSpec {
             scale: RadialScale::Log,
             channel: Channel::Luminance,
             with_cosine: false,
+            limits: None,
             view: View::default(),
             probe: None,
         }
@@ -222,6 +225,9 @@ impl ImageSpec {
     fn colors(&self, field: &Field, reference: &Field) -> ColorScale {
         match self.shown {
             Shown::Measured | Shown::Model => {
+                if let Some([low, high]) = self.limits {
+                    return ColorScale::Amount(Axis::between(self.scale, low, high));
+                }
                 let limit = nice_limit(reference.values().fold(0.0, f64::max));
                 let positive = reference.values().filter(|value| *value > 0.0);
                 ColorScale::Amount(Axis::new(

@@ -20,6 +20,12 @@ pub struct LegendEntry {
     pub bounds: [Point; 2],
 }
 
+/// The subjects that have an entry, with their positions: all but those without a name.
+pub(super) fn listed(subjects: &[Subject]) -> impl Iterator<Item = (usize, &Subject)> {
+    let named = |(_, subject): &(usize, &Subject)| !subject.label.is_empty();
+    subjects.iter().enumerate().filter(named)
+}
+
 /// The position of the subject whose entry is at a point of the drawing.
 pub fn subject_at(legend: &[LegendEntry], point: Point) -> Option<usize> {
     let inside = |[min, max]: [Point; 2]| (0..2).all(|k| (min[k]..=max[k]).contains(&point[k]));

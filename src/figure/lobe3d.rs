@@ -7,13 +7,15 @@ mod camera;
 mod lobes;
 mod mesh;
 mod overlay;
+mod raster;
 mod space;
 
 pub use camera::{Camera, Projection};
 pub use lobes::{Lobe, Lobes, Shape};
 pub use mesh::{LobeMesh, RINGS, SPOKES, layout, sample};
 pub use overlay::Overlay;
-pub use space::{SpaceFill, SpaceLine, ground};
+pub use raster::picture;
+pub use space::{SpaceFill, SpaceLine, ground, wires};
 
 use glam::DVec3;
 

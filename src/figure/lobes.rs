@@ -25,7 +25,7 @@ pub const MAX_THETA_I: f64 = 89.5 * std::f64::consts::PI / 180.0;
 
 /// What a lobe plot shows of its curves.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct LobeSpec {
     /// Angles of incidence in radians, in [0, π/2].
     #[serde(with = "degrees")]
@@ -41,8 +41,10 @@ pub struct LobeSpec {
     /// The view direction under the probe: signed θo in radians.
     #[serde(skip)]
     pub probe: Option<Mark>,
-    /// The value at the rim, in 1/sr; from the curves without it.
-    pub limit: Option<f64>,
+    /// The values in the middle and at the rim, in 1/sr; from the curves without.
+    pub limits: Option<[f64; 2]>,
+    /// Whether it is for paper: nothing to take hold of, no lobe before the others.
+    pub still: bool,
 }
 
 impl Default for LobeSpec {
@@ -54,12 +56,18 @@ impl Default for LobeSpec {
             with_cosine: false,
             channel: Channel::default(),
             probe: None,
-            limit: None,
+            limits: None,
+            still: false,
         }
     }
 }
 
 impl LobeSpec {
+    /// Whether a lobe is drawn strong.
+    pub(super) fn is_strong(&self, lobe: usize) -> bool {
+        self.still || lobe == self.active
+    }
+
     /// What is plotted of `subject` at these angles in radians (θo signed); `None` where it has no finite value.
     pub fn value(&self, subject: &Subject, theta_i: f64, theta_o: f64) -> Option<f64> {
         let wi = DVec3::new(-theta_i.sin(), 0.0, theta_i.cos());
@@ -108,9 +116,10 @@ impl LobePlot {
 /// One axis for all curves, from what is drawn or as the spec says.
 fn axis_for(spec: &LobeSpec, traces: &[Trace]) -> Axis {
     let values = || traces.iter().flat_map(Trace::values);
-    let limit = spec
-        .limit
-        .unwrap_or_else(|| nice_limit(values().fold(0.0, f64::max)));
+    if let Some([low, high]) = spec.limits {
+        return Axis::between(spec.scale, low, high);
+    }
+    let limit = nice_limit(values().fold(0.0, f64::max));
     let smallest = values().filter(|x| *x > 0.0).min_by(f64::total_cmp);
     Axis::new(spec.scale, limit, smallest)
 }

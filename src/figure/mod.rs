@@ -14,6 +14,7 @@ pub mod legend;
 pub mod lobe3d;
 pub mod lobes;
 pub mod mark;
+pub mod page;
 pub mod palette;
 mod placing;
 pub mod plot;
@@ -24,8 +25,10 @@ pub mod scatter;
 pub mod slices;
 pub mod sphere_image;
 pub mod subject;
+pub mod table;
 pub mod text;
 pub mod trace;
+pub mod write;
 
 pub use drawing::{Anchor, Drawing, Item, Label, Point};
 pub use legend::LegendEntry;

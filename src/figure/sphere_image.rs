@@ -2,8 +2,10 @@
 //!
 //! [`render`] makes pictures for files, [`sphere_image`] small ones for the screen; both are of a [`SphereSource`].
 
+mod bar;
 mod render;
 
+pub use bar::{error_names, error_ticks, error_unit};
 pub use render::{LinearImage, SAMPLES_A_SIDE, render};
 
 use super::colormap::ColorMap;

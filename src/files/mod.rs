@@ -106,6 +106,42 @@ pub fn open_source(path: &Path, index: usize, progress: Progress) -> Result<Sour
     read_table(file, len, path, progress).map(|table| Source::Table(Arc::new(table)))
 }
 
+/// The same for two paths that lead to the same file, also where it is not there yet.
+pub fn place(path: &Path) -> PathBuf {
+    let path = absolute(path);
+    if let Ok(place) = path.canonicalize() {
+        return place;
+    }
+    match (
+        path.parent().and_then(|folder| folder.canonicalize().ok()),
+        path.file_name(),
+    ) {
+        (Some(folder), Some(name)) => folder.join(name),
+        _ => path,
+    }
+}
+
+/// The text of a small file.
+///
+/// # Errors
+/// As [`open_table`], and where it is no text.
+pub fn read_text(path: &Path) -> Result<String, FileError> {
+    const MOST: u64 = 64 << 20;
+    let (mut file, len) = open(path)?;
+    if len > MOST {
+        return Err(FileError::new(
+            path,
+            "the file is far too large for this; expected JSON",
+        ));
+    }
+    let mut bytes = Vec::new();
+    file.read_to_end(&mut bytes)
+        .map_err(|error| FileError::io(path, "reading failed", &error))?;
+    let text = String::from_utf8(bytes)
+        .map_err(|_| FileError::new(path, "not valid JSON: it is no UTF-8 text"))?;
+    Ok(text.trim_start_matches('\u{feff}').to_owned())
+}
+
 /// What a material is called: its file's name without the extension.
 pub fn material_name(path: &Path) -> String {
     path.file_stem()

@@ -1,6 +1,6 @@
 //! The lobes in space inside egui's picture: a paint callback, and what it keeps on the GPU between frames.
 
-use crate::figure::lobe3d::{Lobes, Projection, ground};
+use crate::figure::lobe3d::{Lobes, Projection, ground, wires};
 use crate::figure::palette::{Ink, Palette, Role};
 use crate::gpu::lobe3d_pass::{
     FlatVertex, LinePiece, SolidVertex, SpacePass, SpacePicture, SpaceScene, SpaceView,
@@ -12,11 +12,6 @@ use eframe::wgpu;
 use egui::{PaintCallbackInfo, Rect};
 use glam::DVec3;
 use std::sync::Arc;
-
-/// Width in points of the wire of a model.
-const WIRE: f32 = 1.2;
-/// How much of the wire is left behind a solid.
-const WIRE_BEHIND: f32 = 0.22;
 
 /// Prepares the renderer, once. Pipelines are compiled when the tile is first seen.
 pub fn install(render_state: &RenderState) {
@@ -100,7 +95,8 @@ fn scene_of(
 
 fn scene(lobes: &Lobes, wo: Option<DVec3>, palette: &Palette) -> SpaceScene {
     let mut scene = SpaceScene::default();
-    let (fills, lines) = ground(lobes, wo);
+    let (fills, mut lines) = ground(lobes, wo);
+    lines.extend(wires(lobes, palette));
     for fill in &fills {
         let color = palette.resolve(fill.ink);
         let corner = |p: DVec3| FlatVertex {
@@ -117,18 +113,11 @@ fn scene(lobes: &Lobes, wo: Option<DVec3>, palette: &Palette) -> SpaceScene {
         let color = palette.resolve(line.ink);
         add_line(&mut scene, &line.points, line.width, line.behind, color);
     }
-    for lobe in &lobes.list {
+    for lobe in lobes.list.iter().filter(|lobe| lobe.is_solid()) {
         let Some(mesh) = &lobe.mesh else {
             continue;
         };
         let color = palette.resolve(Ink::from(Role::Series(lobe.subject.series)));
-        if !lobe.is_solid() {
-            let color = wire_color(color, palette.color(Role::Foreground));
-            for points in mesh.wire() {
-                add_line(&mut scene, &points, WIRE, WIRE_BEHIND, color);
-            }
-            continue;
-        }
         let first = scene.solid.len() as u32;
         let corners = mesh.positions.iter().zip(&mesh.normals);
         scene
@@ -142,14 +131,6 @@ fn scene(lobes: &Lobes, wo: Option<DVec3>, palette: &Palette) -> SpaceScene {
         scene.triangles.extend(corners.map(|index| first + index));
     }
     scene
-}
-
-/// A model has the colour of its material: on the solid it is seen by being nearer to the colour of text.
-fn wire_color(series: [u8; 4], text: [u8; 3]) -> [u8; 4] {
-    let [r, g, b, opacity] = series;
-    let mixed = [(r, text[0]), (g, text[1]), (b, text[2])]
-        .map(|(own, text)| (u16::from(own) + u16::from(text)).div_ceil(2) as u8);
-    [mixed[0], mixed[1], mixed[2], opacity]
 }
 
 fn add_line(scene: &mut SpaceScene, points: &[DVec3], width: f32, behind: f32, color: [u8; 4]) {

@@ -1,10 +1,8 @@
 //! The colours of the difference sphere and the bar that says what they mean.
 
 use super::sphere::OnScreen;
-use crate::app::paint;
-use crate::figure::scale::number;
-use crate::figure::sphere_image::error_colors;
-use crate::geom::sphere_error::{DIFFERENCE_LIMIT, RATIO_STOPS, SphereError};
+use crate::figure::sphere_image::{error_colors, error_names, error_ticks, error_unit};
+use crate::geom::sphere_error::SphereError;
 use crate::gpu::sphere_pass::COLORS;
 use egui::{Align2, Color32, FontId, Pos2, Rect, Stroke, pos2, vec2};
 
@@ -33,11 +31,11 @@ pub fn bar(ui: &egui::Ui, rect: Rect, sphere: &OnScreen, error: SphereError, sto
         painter.text(at, align, text, FontId::proportional(12.0), color);
     };
     // Beside a small sphere there is room for a word.
-    let name = match (error, sphere.rect.width() > 240.0) {
-        (SphereError::Difference, true) => "|model − measured|",
-        (SphereError::Difference, false) => "difference",
-        (SphereError::Ratio, true) => "model / measured",
-        (SphereError::Ratio, false) => "ratio",
+    let [full, word] = error_names(error);
+    let name = if sphere.rect.width() > 240.0 {
+        full
+    } else {
+        word
     };
     text(sphere.rect.left_top(), Align2::LEFT_TOP, name);
     let left = beside_bar(rect).right() + 4.0;
@@ -61,70 +59,18 @@ pub fn bar(ui: &egui::Ui, rect: Rect, sphere: &OnScreen, error: SphereError, sto
     painter.add(mesh);
     let line = Stroke::new(1.0, visuals.weak_text_color());
     painter.rect_stroke(bar, 0.0, line, egui::StrokeKind::Outside);
-    for (place, label) in ticks(error, stops) {
+    for (place, label) in error_ticks(error, stops) {
         let y = egui::lerp(bar.bottom()..=bar.top(), place);
         painter.hline(bar.right()..=bar.right() + 3.0, y, line);
-        text(pos2(bar.right() + 5.0, y), Align2::LEFT_CENTER, &label);
+        text(
+            pos2(bar.right() + 5.0, y),
+            Align2::LEFT_CENTER,
+            &label.plain(),
+        );
     }
     text(
         pos2(rect.right(), sphere.rect.top() - 2.0),
         Align2::RIGHT_TOP,
-        match error {
-            SphereError::Difference => "white = 1",
-            SphereError::Ratio => "factor",
-        },
+        error_unit(error),
     );
-}
-
-/// Places on the bar and what stands there. A difference is one of luminance before the exposure, as seen under the
-/// lights; a white diffuse surface that faces one of them has 1.
-fn ticks(error: SphereError, stops: f64) -> Vec<(f32, String)> {
-    let label = |value: f64| paint::plain(&number(value));
-    match error {
-        SphereError::Difference => (0..=4)
-            .map(|k| {
-                let place = f64::from(k) / 4.0;
-                let value = place * DIFFERENCE_LIMIT * (-stops).exp2();
-                let rounded = format!("{value:.2e}").parse().unwrap_or(value);
-                (place as f32, label(rounded))
-            })
-            .collect(),
-        SphereError::Ratio => {
-            let most = RATIO_STOPS as i32;
-            (-most..=most)
-                .map(|stop| {
-                    let place = 0.5 + 0.5 * f64::from(stop) / RATIO_STOPS;
-                    let factor = 2_i32.pow(stop.unsigned_abs());
-                    let text = if stop < 0 {
-                        format!("1/{factor}")
-                    } else {
-                        factor.to_string()
-                    };
-                    (place as f32, text)
-                })
-                .collect()
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_bar_says_radiance_before_the_exposure_and_factors() {
-        let texts = |error, stops| -> Vec<String> {
-            let ticks = ticks(error, stops).into_iter();
-            ticks.map(|(_, text)| text).collect()
-        };
-        assert_eq!(
-            texts(SphereError::Difference, 0.0),
-            ["0", "0.125", "0.25", "0.375", "0.5"]
-        );
-        assert_eq!(texts(SphereError::Difference, 1.0)[4], "0.25");
-        assert_eq!(
-            texts(SphereError::Ratio, 3.0),
-            ["1/4", "1/2", "1", "2", "4"]
-        );
-    }
 }

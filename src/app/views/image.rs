@@ -56,6 +56,7 @@ impl ImageView {
             scale: self.scale,
             channel: self.channel,
             with_cosine: self.with_cosine,
+            limits: None,
             view: self.view,
             probe: probe.and_then(|probe| mark(probe, self.phi_d)),
         }

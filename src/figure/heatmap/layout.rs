@@ -1,7 +1,7 @@
 //! How a heat map divides its rectangle: title, axes and colour bar around the cells.
 
 use super::{Cell, Field, HeatFrame, HeatSpec};
-use crate::figure::drawing::{LINE_HEIGHT, Point};
+use crate::figure::drawing::{LINE_HEIGHT, Point, font_size};
 use crate::figure::scale::Tick;
 use crate::figure::text::{RichText, elided};
 
@@ -34,7 +34,7 @@ pub(super) struct Plan {
 
 impl Plan {
     pub(super) fn new(spec: &HeatSpec, field: &Field, [width, height]: [f32; 2]) -> Self {
-        let font = (width.min(1.4 * height) / 38.0).clamp(9.5, 14.0);
+        let font = font_size([width, height]);
         let (pad, line) = (0.6 * font, LINE_HEIGHT * font);
         let top = pad + line + 0.5 * pad;
         let bottom = TICK + 2.0 * line + 0.6 * pad;

@@ -3,7 +3,7 @@
 use super::camera::{Camera, Projection};
 use super::lobes::Lobes;
 use super::space::{CIRCLES_DEG, VECTOR};
-use crate::figure::drawing::{Anchor, Drawing, LINE_HEIGHT, Label, Point};
+use crate::figure::drawing::{Anchor, Drawing, LINE_HEIGHT, Label, Point, font_size};
 use crate::figure::legend::{LegendEntry, SWATCH_EM, draw_entry};
 use crate::figure::mark::probe_dot;
 use crate::figure::palette::{Ink, Role};
@@ -27,7 +27,7 @@ impl Overlay {
     /// Of some lobes, with the direction `wo` of the probe, on a canvas of `size` points.
     pub fn new(lobes: &Lobes, camera: Camera, wo: Option<DVec3>, size: [f32; 2]) -> Self {
         let [width, height] = size;
-        let font = (width.min(1.4 * height) / 38.0).clamp(9.5, 14.0);
+        let font = font_size([width, height]);
         let mut sheet = Sheet {
             drawing: Drawing::new(size),
             placing: Placing::default(),
@@ -105,6 +105,9 @@ fn title_and_legend(sheet: &mut Sheet, lobes: &Lobes) -> (Vec<LegendEntry>, f32)
     };
     let mut legend = Vec::new();
     for (index, (lobe, name)) in lobes.list.iter().zip(&names).enumerate() {
+        if name.runs.is_empty() {
+            continue;
+        }
         let entry_width = font * (SWATCH_EM + name.width_em() + 1.5);
         if !beside && x > pad && x + entry_width > width {
             (x, y) = (pad, y + line);

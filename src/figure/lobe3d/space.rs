@@ -1,7 +1,7 @@
 //! What stands in space around the lobes: the surface with its circles, the plane of incidence with its rings, vectors.
 
 use super::lobes::Lobes;
-use crate::figure::palette::{Ink, Role};
+use crate::figure::palette::{Ink, Palette, Role};
 use crate::geom::{direction, mirror};
 use glam::DVec3;
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -91,6 +91,32 @@ pub fn ground(lobes: &Lobes, wo: Option<DVec3>) -> (Vec<SpaceFill>, Vec<SpaceLin
         lines.push(line(points, 1.0, ink.faded(0.5), 0.35));
     }
     (fills, lines)
+}
+
+/// Width in points of the wire of a model.
+const WIRE: f32 = 1.2;
+/// How much of the wire is left behind a solid.
+const WIRE_BEHIND: f32 = 0.22;
+
+/// The models as wire. A model has the colour of its material: on the solid it is seen by being nearer to the colour of
+/// text.
+pub fn wires(lobes: &Lobes, palette: &Palette) -> Vec<SpaceLine> {
+    let models = lobes.list.iter().filter(|lobe| !lobe.is_solid());
+    let meshes = models.filter_map(|lobe| Some((lobe.subject.series, lobe.mesh.as_ref()?)));
+    let text = palette.color(Role::Foreground);
+    meshes
+        .flat_map(|(series, mesh)| {
+            let own = palette.color(Role::Series(series));
+            let mixed: [u8; 3] =
+                std::array::from_fn(|k| (u16::from(own[k]) + u16::from(text[k])).div_ceil(2) as u8);
+            mesh.wire().into_iter().map(move |points| SpaceLine {
+                points,
+                width: WIRE,
+                ink: Role::Fixed(mixed).into(),
+                behind: WIRE_BEHIND,
+            })
+        })
+        .collect()
 }
 
 /// A point of the plane of incidence, θ to the right in radians.

@@ -107,8 +107,17 @@ pub(super) fn ground(sheet: &mut Sheet) {
     sheet.drawing.line(surface, 1.5, Role::Foreground.into());
 }
 
-/// n, and ωi, ωr of the active θi; with a probe ωo and ωh too. Names stand outside the rim.
+/// n, and ωi, ωr of the active θi; with a probe ωo and ωh too. Names stand outside the rim. On paper n and every ωi.
 pub(super) fn vectors(sheet: &mut Sheet, spec: &LobeSpec) {
+    if spec.still {
+        vector(sheet, 0.0, "n", Role::Muted.into());
+        // One name stands for all.
+        for (lobe, theta_i) in spec.theta_i.iter().enumerate() {
+            let name = if lobe == 0 { "ω_{i}" } else { "" };
+            vector(sheet, -theta_i, name, Role::Accent.into());
+        }
+        return;
+    }
     for theta_i in &spec.theta_i {
         sheet
             .placing
@@ -138,6 +147,9 @@ fn vector(sheet: &mut Sheet, theta: f64, name: &str, ink: Ink) {
     let (tail, tip) = (sheet.frame.origin, sheet.frame.at(theta, 1.0));
     let head = (0.75 * sheet.font).max(7.0);
     sheet.drawing.arrow(tail, tip, 1.25, head, ink);
+    if name.is_empty() {
+        return;
+    }
     let (dx, dy) = (theta.sin() as f32, -theta.cos() as f32);
     // Further out where another name is in the way, as two vectors may be one.
     for gap in [0.75, 1.0] {

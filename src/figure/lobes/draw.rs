@@ -30,16 +30,21 @@ pub(super) fn draw(
     backdrop::ring_labels(&mut sheet);
     // The active lobes over the others, models over measurements.
     let mut order: Vec<&Trace> = traces.iter().collect();
-    order.sort_by_key(|trace| (trace.lobe == spec.active, subjects[trace.subject].look));
+    order.sort_by_key(|trace| {
+        let strong = spec.is_strong(trace.lobe);
+        (strong, subjects[trace.subject].look)
+    });
     for trace in &order {
         lobe(
             &mut sheet,
             trace,
             &subjects[trace.subject],
-            trace.lobe == spec.active,
+            spec.is_strong(trace.lobe),
         );
     }
-    backdrop::handles(&mut sheet, spec);
+    if !spec.still {
+        backdrop::handles(&mut sheet, spec);
+    }
     probe_dots(&mut sheet, spec, subjects, &order);
     lobe_labels(&mut sheet, spec, traces);
     if !traces.iter().any(|trace| trace.values().next().is_some()) {
@@ -65,9 +70,9 @@ fn legend(sheet: &mut Sheet, subjects: &[Subject], plan: &Plan) -> Vec<LegendEnt
 }
 
 /// A trace as polylines, broken where it has no value and where it leaves the rim.
-fn lobe(sheet: &mut Sheet, trace: &Trace, subject: &Subject, active: bool) {
-    let ink = Ink::from(Role::Series(subject.series)).faded(if active { 1.0 } else { 0.5 });
-    let width = subject.look.width() * if active { 1.0 } else { 0.6 };
+fn lobe(sheet: &mut Sheet, trace: &Trace, subject: &Subject, strong: bool) {
+    let ink = Ink::from(Role::Series(subject.series)).faded(if strong { 1.0 } else { 0.5 });
+    let width = subject.look.width() * if strong { 1.0 } else { 0.6 };
     for points in runs(sheet.frame, trace) {
         if let [lone] = points[..] {
             sheet.drawing.items.push(Item::Dot {
@@ -127,7 +132,7 @@ fn lobe_labels(sheet: &mut Sheet, spec: &LobeSpec, traces: &[Trace]) {
         let degrees = (10.0 * spec.theta_i[lobe].to_degrees()).round() / 10.0;
         let text = RichText::literal(&format!("{degrees}°"));
         let position = sheet.frame.axis.position(value).min(1.0);
-        let role = if lobe == spec.active {
+        let role = if spec.is_strong(lobe) {
             Role::Foreground
         } else {
             Role::Muted

@@ -1,8 +1,8 @@
 //! How a lobe plot divides its rectangle: the half disc as large as title and legend leave it.
 
 use super::LobeSpec;
-use crate::figure::drawing::{LINE_HEIGHT, Point};
-use crate::figure::legend::SWATCH_EM;
+use crate::figure::drawing::{LINE_HEIGHT, Point, font_size};
+use crate::figure::legend::{SWATCH_EM, listed};
 use crate::figure::subject::Subject;
 use crate::figure::text::{RichText, elided};
 
@@ -22,14 +22,15 @@ pub(super) struct Plan {
 
 impl Plan {
     pub(super) fn new(spec: &LobeSpec, subjects: &[Subject], [width, height]: [f32; 2]) -> Self {
-        let font = (width.min(1.4 * height) / 38.0).clamp(9.5, 14.0);
+        let font = font_size([width, height]);
         let pad = 0.7 * font;
         let line = LINE_HEIGHT * font;
         let title = title(spec, (width - 2.0 * pad) / font);
         let named = |share: f32| -> Vec<RichText> {
             let room_em = ((share * width - 2.0 * pad) / font - SWATCH_EM).clamp(3.0, 24.0);
-            let name = |subject: &Subject| elided(&subject.label, room_em);
-            subjects.iter().map(name).collect()
+            listed(subjects)
+                .map(|(_, subject)| elided(&subject.label, room_em))
+                .collect()
         };
         let names = named(0.5);
         let entry = |name: &RichText| font * (SWATCH_EM + name.width_em());
@@ -101,6 +102,9 @@ impl Plan {
             legend.push((row, name, pos));
         }
         legend.reverse();
+        for (entry, (index, _)) in legend.iter_mut().zip(listed(subjects)) {
+            entry.0 = index;
+        }
         Self {
             font,
             origin: [0.5 * width, top + slack + radius],

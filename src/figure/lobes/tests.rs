@@ -113,7 +113,7 @@ fn past_a_fixed_limit_curves_end_on_the_rim() {
     let spec = LobeSpec {
         theta_i: vec![0.7],
         active: 0,
-        limit: Some(0.5),
+        limits: Some([0.0, 0.5]),
         scale: RadialScale::Linear,
         ..LobeSpec::default()
     };

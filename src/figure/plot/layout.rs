@@ -1,8 +1,8 @@
 //! How a plot divides its rectangle: title and legend above, numbers at the left and below, panels in what is left.
 
 use super::{Outline, Panel};
-use crate::figure::drawing::{LINE_HEIGHT, Point};
-use crate::figure::legend::SWATCH_EM;
+use crate::figure::drawing::{LINE_HEIGHT, Point, font_size};
+use crate::figure::legend::{SWATCH_EM, listed};
 use crate::figure::scale::{Steps, Ticks};
 use crate::figure::subject::Subject;
 use crate::figure::text::{RichText, elided};
@@ -46,7 +46,7 @@ const LEGEND_SHARE: f32 = 0.3;
 
 impl Plan {
     pub(super) fn new(outline: &Outline, [width, height]: [f32; 2]) -> Self {
-        let font = (width.min(1.4 * height) / 38.0).clamp(9.5, 14.0);
+        let font = font_size([width, height]);
         let pad = 0.6 * font;
         let line = LINE_HEIGHT * font;
         let title = first_fitting(&outline.title, (width - 2.0 * pad) / font);
@@ -130,15 +130,16 @@ fn legend(
     let (gap, end) = (1.6 * font, width - pad);
     let room_em = ((end - pad) / font - SWATCH_EM).max(3.0);
     let names = |most: f32| -> Vec<RichText> {
-        let name = |subject: &Subject| elided(&subject.label, room_em.min(most));
-        subjects.iter().map(name).collect()
+        listed(subjects)
+            .map(|(_, subject)| elided(&subject.label, room_em.min(most)))
+            .collect()
     };
     let entry = |name: &RichText| font * (SWATCH_EM + name.width_em());
     let whole = names(26.0);
     let total = whole.iter().map(|name| entry(name) + gap).sum::<f32>();
     if pad + title_width + total + gap <= end {
         let mut x = end - total + gap;
-        let placed = whole.into_iter().enumerate().map(|(index, name)| {
+        let placed = listed(subjects).zip(whole).map(|((index, _), name)| {
             let at = [x, pad + 0.5 * line];
             x += entry(&name) + gap;
             (index, name, at)
@@ -151,7 +152,7 @@ fn legend(
         placed.clear();
         rows = 0;
         let mut x = f32::INFINITY;
-        for (index, name) in names(most).into_iter().enumerate() {
+        for ((index, _), name) in listed(subjects).zip(names(most)) {
             if x + entry(&name) > end {
                 (x, rows) = (pad, rows + 1);
             }

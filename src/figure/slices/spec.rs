@@ -120,7 +120,7 @@ const OFF_POLE: f64 = 1e-9;
 
 /// What a plot of slices shows of its subjects.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct SliceSpec {
     /// The angle that runs.
     pub over: Over,

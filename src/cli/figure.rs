@@ -1,0 +1,241 @@
+//! `grazing figure`: figures for papers, from their spec or by the name of a preset.
+
+mod materials;
+
+use super::CliError;
+use crate::brdf::{Fresnel, MODELS, fresnel::FRESNELS};
+use crate::export::preset::{Options, PRESETS, Preset};
+use crate::export::{
+    ExportError, FORMATS, FigureSpec, Format, Opened, open_from_files, prepare, write_figure,
+};
+use crate::figure::page::{Inks, SAME_AXES, SameAxes, Style};
+use crate::figure::scale::{RADIAL_SCALES, RadialScale};
+use crate::files;
+use crate::geom::sphere::SphereView;
+use clap::builder::{PossibleValue, PossibleValuesParser};
+use std::io::Write;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+const EXAMPLES: &str = "\
+Examples:
+  grazing figure --preset poster teflon.binary nickel.binary -o results.pdf
+          Spheres and polar lobes, measured and as all three models, which are fitted first
+  grazing figure --preset lobes fits.json --theta-i 30,60,80 -o lobes.svg
+          The materials of a fit file with their fits
+  grazing figure results.figure.json -o results.pdf
+          The same figure again, byte by byte, from the spec that was written beside it
+  grazing figure results.figure.json --grey --font 7 -o results.png
+          The same in greys and with a smaller font";
+
+/// Draw figures for papers
+///
+/// The figure is a .figure.json, or it is made by a preset from measured files and fit files; what has no fit yet is
+/// fitted. The format is that of the name: .svg, .pdf, .png, or .csv with the numbers that are drawn. Beside the
+/// figure its .figure.json is written, from which it can be drawn again: it names the measured files with their SHA-256.
+/// No display and no graphics adapter is needed.
+#[derive(clap::Args)]
+#[command(after_long_help = EXAMPLES)]
+pub struct Args {
+    /// A .figure.json; with --preset measured files and fit files
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// File to write: .svg, .pdf, .png or .csv
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+    /// Which figure to make from the files
+    #[arg(long, value_name = "NAME", value_parser = presets())]
+    preset: Option<String>,
+    /// Which model presets show that show one
+    #[arg(long, default_value = "combined", value_parser = PossibleValuesParser::new(MODELS.map(|m| m.key)), requires = "preset")]
+    model: String,
+    /// The Fresnel factor of the models
+    #[arg(long, default_value = "exact", value_parser = PossibleValuesParser::new(FRESNELS.map(Fresnel::key)), requires = "preset")]
+    fresnel: String,
+    /// Angles of incidence of lobes and slices in degrees
+    #[arg(long, value_name = "DEG,…", value_delimiter = ',', default_value = "30,60,80", requires = "preset", allow_hyphen_values = true, value_parser = theta_i)]
+    theta_i: Vec<f64>,
+    /// How values become lengths; as the preset likes it where not given
+    #[arg(long, value_parser = PossibleValuesParser::new(RADIAL_SCALES.map(RadialScale::key)), requires = "preset")]
+    scale: Option<String>,
+    /// Exposure of spheres in stops
+    #[arg(long, value_name = "EV", default_value_t = 0.0, requires = "preset", allow_hyphen_values = true, value_parser = exposure)]
+    exposure: f64,
+    #[command(flatten)]
+    look: Look,
+    /// Draw also where a measured file is no longer the one that the figure was drawn from
+    #[arg(long)]
+    changed: bool,
+    /// Replace files that exist
+    #[arg(long)]
+    force: bool,
+}
+
+/// How the figure looks; what is not given is as the figure or the preset has it.
+#[derive(clap::Args)]
+struct Look {
+    /// Width of the page in millimetres
+    #[arg(long, value_name = "MM")]
+    width: Option<f64>,
+    /// Font size in points
+    #[arg(long, value_name = "PT")]
+    font: Option<f64>,
+    /// Width of a curve in points
+    #[arg(long, value_name = "PT")]
+    line: Option<f64>,
+    /// Pixels to the inch: of pictures in the figure, and of a PNG
+    #[arg(long, value_name = "N")]
+    dpi: Option<f64>,
+    /// Greys that a black and white printer tells apart
+    #[arg(long)]
+    grey: bool,
+    /// Leave the page clear instead of white
+    #[arg(long)]
+    transparent: bool,
+    /// Leave the legend out
+    #[arg(long)]
+    no_legend: bool,
+    /// Letter the panels (a), (b), …
+    #[arg(long)]
+    letters: bool,
+    /// Which panels of a kind have the same axis of values
+    #[arg(long, value_name = "WHICH", value_parser = PossibleValuesParser::new(SAME_AXES.map(SameAxes::key)))]
+    same_axes: Option<String>,
+}
+
+impl Look {
+    fn apply(&self, style: &mut Style) {
+        let Style {
+            width_mm,
+            font_pt,
+            line_pt,
+            dpi,
+            ..
+        } = style;
+        for (value, to) in [
+            (self.width, width_mm),
+            (self.font, font_pt),
+            (self.line, line_pt),
+            (self.dpi, dpi),
+        ] {
+            if let Some(value) = value {
+                *to = value;
+            }
+        }
+        if self.grey {
+            style.palette = Inks::Grey;
+        }
+        style.transparent |= self.transparent;
+        style.legend &= !self.no_legend;
+        style.letters |= self.letters;
+        let asked = |axes: &SameAxes| Some(axes.key()) == self.same_axes.as_deref();
+        style.same_axes = SAME_AXES.into_iter().find(asked).unwrap_or(style.same_axes);
+    }
+}
+
+fn presets() -> PossibleValuesParser {
+    PossibleValuesParser::new(
+        PRESETS
+            .iter()
+            .map(|preset| PossibleValue::new(preset.key).help(preset.help)),
+    )
+}
+
+fn theta_i(text: &str) -> Result<f64, String> {
+    let degrees: f64 = text
+        .trim()
+        .parse()
+        .map_err(|_| "expected degrees such as 30,60,80".to_string())?;
+    if (0.0..90.0).contains(&degrees) {
+        Ok(degrees.to_radians())
+    } else {
+        Err("expected 0 to less than 90 degrees".into())
+    }
+}
+
+fn exposure(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(stops) if stops.abs() <= 100.0 => Ok(stops),
+        _ => Err("expected stops from −100 to 100".into()),
+    }
+}
+
+pub fn run(args: &Args, _out: &mut dyn Write) -> Result<(), CliError> {
+    let Some(format) = Format::of_path(&args.output) else {
+        let known = FORMATS.map(|format| format!(".{}", format.extension()));
+        return usage(format!(
+            "{}: the name does not say which format; expected one of {}",
+            args.output.display(),
+            known.join(", ")
+        ));
+    };
+    let inputs: Vec<PathBuf> = args.files.iter().map(|file| files::place(file)).collect();
+    if inputs.contains(&files::place(&args.output)) {
+        return usage(format!(
+            "the output would replace an input: {}",
+            args.output.display()
+        ));
+    }
+    // Said now and not after the fits.
+    files::check_writable(&args.output, args.force)?;
+    let mut opened = Opened::new();
+    let (mut spec, folder) = match &args.preset {
+        Some(key) => (preset(args, key, &mut opened)?, PathBuf::new()),
+        None => from_file(&args.files)?,
+    };
+    args.look.apply(&mut spec.style);
+    let spec = spec.settled();
+    spec.style.check().map_err(CliError::Other)?;
+    let go_on = &mut || ControlFlow::Continue(());
+    let mut table = |source: &_| open_from_files(source, &folder, args.changed, &mut opened);
+    let prepared = prepare(&spec, &mut table, go_on)?;
+    let page = spec.draw(&prepared)?;
+    let kept = args.preset.is_none().then(|| args.files[0].as_path());
+    write_figure(&args.output, format, (&spec, &page), args.force, kept)?;
+    Ok(())
+}
+
+fn usage<T>(text: String) -> Result<T, CliError> {
+    Err(CliError::Usage("figure", text))
+}
+
+/// The figure of a file, and the folder that its paths are seen from.
+fn from_file(paths: &[PathBuf]) -> Result<(FigureSpec, PathBuf), CliError> {
+    let [path] = paths else {
+        return usage("several files need a --preset; without it one .figure.json is drawn".into());
+    };
+    let spec = FigureSpec::open(path)?;
+    let path = files::absolute(path);
+    Ok((spec, path.parent().unwrap_or(Path::new("")).to_owned()))
+}
+
+fn preset(args: &Args, key: &str, opened: &mut Opened) -> Result<FigureSpec, CliError> {
+    let preset = Preset::by_key(key).unwrap_or(&PRESETS[0]);
+    let model = MODELS.into_iter().find(|model| model.key == args.model);
+    let options = Options {
+        model: model.unwrap_or(MODELS[0]),
+        fresnel: Fresnel::by_key(&args.fresnel).unwrap_or(Fresnel::Exact),
+        theta_i: args.theta_i.clone(),
+        scale: args.scale.as_deref().and_then(RadialScale::by_key),
+        view: SphereView {
+            exposure_stops: args.exposure,
+            ..SphereView::default()
+        },
+        style: Style {
+            width_mm: preset.width_mm,
+            same_axes: preset.same_axes,
+            ..Style::default()
+        },
+    };
+    let materials = materials::of_files(&args.files, &preset.variants(&options), opened)?;
+    Ok(preset.figure(&materials, &options))
+}
+
+impl From<ExportError> for CliError {
+    fn from(error: ExportError) -> Self {
+        match error {
+            ExportError::File(error) => Self::File(error),
+            error => Self::Other(error.to_string()),
+        }
+    }
+}

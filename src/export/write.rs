@@ -1,0 +1,97 @@
+//! Figures as files.
+
+use super::{ExportError, FigureSpec, spec_beside};
+use crate::figure::page::Page;
+use crate::figure::write::{pdf, raster, svg};
+use crate::files::{self, write_atomically};
+use std::path::Path;
+
+/// What a figure is written as.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Format {
+    /// Lines and text that stay such.
+    #[default]
+    Svg,
+    /// The same, for LaTeX.
+    Pdf,
+    /// Pixels.
+    Png,
+    /// The numbers that are drawn.
+    Csv,
+}
+
+/// All of them in the order offered.
+pub const FORMATS: [Format; 4] = [Format::Svg, Format::Pdf, Format::Png, Format::Csv];
+
+impl Format {
+    /// The end of a file's name, and its name on the command line.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Self::Svg => "svg",
+            Self::Pdf => "pdf",
+            Self::Png => "png",
+            Self::Csv => "csv",
+        }
+    }
+
+    /// Name on screen.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Svg => "SVG",
+            Self::Pdf => "PDF",
+            Self::Png => "PNG",
+            Self::Csv => "CSV",
+        }
+    }
+
+    /// The format that the name of a file says.
+    pub fn of_path(path: &Path) -> Option<Self> {
+        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
+        FORMATS
+            .into_iter()
+            .find(|format| format.extension() == extension)
+    }
+
+    /// A drawn figure in this format. The same figure gives the same bytes.
+    ///
+    /// # Errors
+    /// One sentence where it cannot be written so.
+    pub fn bytes(self, page: &Page, dpi: f64) -> Result<Vec<u8>, ExportError> {
+        let other = |text: String| ExportError::Other(text);
+        match self {
+            Self::Svg => Ok(svg::svg(&page.paper).into_bytes()),
+            Self::Pdf => pdf::pdf(&page.paper).map_err(|error| other(error.to_string())),
+            Self::Png => raster::png(&page.paper, dpi).map_err(|error| other(error.to_string())),
+            Self::Csv if page.table.rows.is_empty() => Err(other(
+                "the figure has no numbers: nothing but spheres".into(),
+            )),
+            Self::Csv => Ok(page.table.text(',').into_bytes()),
+        }
+    }
+}
+
+/// Writes a figure and, beside it, its spec. Files that are there are refused unless `force`. `kept` is a spec that is
+/// left as it is, the one that is drawn.
+///
+/// # Errors
+/// One line with the path last.
+pub fn write_figure(
+    path: &Path,
+    format: Format,
+    (spec, page): (&FigureSpec, &Page),
+    force: bool,
+    kept: Option<&Path>,
+) -> Result<(), ExportError> {
+    let beside = spec_beside(path);
+    let keep = kept.is_some_and(|kept| files::place(kept) == files::place(&beside));
+    if !keep {
+        files::check_writable(&beside, force)?;
+    }
+    let bytes = format.bytes(page, spec.style.dpi)?;
+    write_atomically(path, force, |file| file.write_all(&bytes))?;
+    if !keep {
+        let text = spec.to_json();
+        write_atomically(&beside, force, |file| file.write_all(text.as_bytes()))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,142 @@
+//! The font of figures, Liberation Sans (SIL Open Font License), and where its letters stand.
+//!
+//! Letters stand at their own widths, without kerning: a part of the font that an SVG carries has none either.
+
+use crate::figure::drawing::{LINE_HEIGHT, Label};
+use crate::figure::text::Level;
+use skrifa::instance::{LocationRef, Size};
+use skrifa::{FontRef, MetadataProvider as _};
+use std::sync::LazyLock;
+
+/// The whole font.
+pub static BYTES: &[u8] = include_bytes!("../../../assets/fonts/LiberationSans-Regular.ttf");
+
+/// Its name.
+pub const FAMILY: &str = "Liberation Sans";
+
+/// Where the line stands below the middle of a line of text, in units of the font size.
+const BASELINE_EM: f32 = 0.345;
+/// How far scripts stand from the line, in units of the size of the text around them; downwards.
+const SUB_EM: f32 = 0.2;
+const SUP_EM: f32 = -0.36;
+
+/// A letter of the font.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Glyph {
+    /// Its number in the font; 0, an empty box, where the font lacks it.
+    pub id: u32,
+    /// Its width in units of the font size.
+    pub advance: f32,
+}
+
+/// The letter of a character.
+pub fn glyph(character: char) -> Glyph {
+    static FONT: LazyLock<Option<FontRef<'static>>> = LazyLock::new(|| FontRef::new(BYTES).ok());
+    let found = FONT.as_ref().and_then(|font| {
+        let id = font.charmap().map(character).unwrap_or_default();
+        let metrics = font.glyph_metrics(Size::new(1.0), LocationRef::default());
+        Some(Glyph {
+            id: id.to_u32(),
+            advance: metrics.advance_width(id)?,
+        })
+    });
+    found.unwrap_or(Glyph {
+        id: 0,
+        advance: 0.5,
+    })
+}
+
+/// Width of a text in units of the font size.
+pub fn width_em(text: &str) -> f32 {
+    text.chars().map(|character| glyph(character).advance).sum()
+}
+
+/// A run of a label where it is drawn, seen from the label's position before it is turned.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlacedRun<'a> {
+    /// What it says.
+    pub text: &'a str,
+    /// Left end of the line it stands on, in points.
+    pub start: [f32; 2],
+    /// Font size in points.
+    pub size: f32,
+}
+
+/// The runs of a label, and the box around all of them (upper left, lower right), before it is turned.
+pub fn placed(label: &Label) -> (Vec<PlacedRun<'_>>, [[f32; 2]; 2]) {
+    let size_of = |level: Level| label.size * level.relative_size();
+    let runs = &label.text.runs;
+    let widths: Vec<f32> = runs
+        .iter()
+        .map(|run| size_of(run.level) * width_em(&run.text))
+        .collect();
+    let [width, height] = [widths.iter().sum::<f32>(), LINE_HEIGHT * label.size];
+    let [left, top] = [-label.anchor.x * width, -label.anchor.y * height];
+    let line = top + 0.5 * height + BASELINE_EM * label.size;
+    let mut x = left;
+    let placed = runs.iter().zip(&widths).map(|(run, width)| {
+        let start = [x, line + rise(run.level) * label.size];
+        x += width;
+        PlacedRun {
+            text: &run.text,
+            start,
+            size: size_of(run.level),
+        }
+    });
+    let placed = placed.collect();
+    (placed, [[left, top], [left + width, top + height]])
+}
+
+fn rise(level: Level) -> f32 {
+    match level {
+        Level::Base => 0.0,
+        Level::Sub => SUB_EM,
+        Level::Sup => SUP_EM,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::drawing::Anchor;
+    use crate::figure::palette::Role;
+    use crate::figure::text::RichText;
+
+    #[test]
+    fn every_letter_that_figures_use_is_in_the_font() {
+        let used = "fr ρθφωαηsk ∫−×·≤≥…°±²⁴½ΔΣπ√∞→′Λ–—μ";
+        let missing: String = used.chars().filter(|c| glyph(*c).id == 0).collect();
+        assert_eq!(missing, "");
+        assert_eq!(glyph('\u{e000}').id, 0);
+    }
+
+    #[test]
+    fn widths_are_those_of_the_font() {
+        // From the font's hmtx table, 2048 units per em.
+        assert!((width_em("M") - 1706.0 / 2048.0).abs() < 1e-4);
+        assert!((width_em("iθ") - (455.0 + 1139.0) / 2048.0).abs() < 1e-4);
+    }
+
+    #[test]
+    fn runs_follow_each_other_and_the_anchor_holds() {
+        let label = |anchor| {
+            Label::new(
+                RichText::parse("k_{s}^{2}"),
+                [0.0; 2],
+                anchor,
+                10.0,
+                Role::Muted,
+            )
+        };
+        let right = label(Anchor::RIGHT);
+        let (runs, [min, max]) = placed(&right);
+        assert_eq!(runs.len(), 3);
+        assert!(max[0].abs() < 1e-4 && (max[1] + min[1]).abs() < 1e-4);
+        let k = 10.0 * width_em("k");
+        assert!((runs[1].start[0] - runs[0].start[0] - k).abs() < 1e-4);
+        assert!(runs[1].start[1] > runs[0].start[1] && runs[2].start[1] < runs[0].start[1]);
+        assert!(runs[1].size < 8.0 && runs[0].size == 10.0);
+        let left = label(Anchor::LEFT);
+        assert_eq!(placed(&left).0[0].start[0], 0.0);
+    }
+}

@@ -1,0 +1,39 @@
+//! Drawings as files: SVG, PDF and pixels. Bytes come out; nothing is read but the font that is compiled in.
+//!
+//! ```text
+//! Paper (Drawing, Palette, ground) ──▶ svg ──▶ pixels ──▶ PNG
+//!                                  └─▶ pdf
+//! ```
+//!
+//! All of them place text by the same metrics ([`font`]), so that no format differs from another. The same paper gives
+//! the same bytes.
+
+pub mod font;
+pub mod pdf;
+pub mod raster;
+pub mod svg;
+
+use super::drawing::Drawing;
+use super::palette::Palette;
+
+/// A drawing with what it is printed on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Paper {
+    /// Its points are those of print: 72 to the inch.
+    pub drawing: Drawing,
+    /// Its colours.
+    pub palette: Palette,
+    /// sRGB of the page; transparent without.
+    pub ground: Option<[u8; 3]>,
+    /// One line for whoever looks at the file's properties or has it read out.
+    pub title: String,
+}
+
+/// Points of print in a millimetre.
+pub const POINTS_PER_MM: f64 = 72.0 / 25.4;
+
+/// What a file says made it.
+pub(crate) const CREATOR: &str = concat!("Grazing ", env!("CARGO_PKG_VERSION"));
+
+#[cfg(test)]
+mod tests;
