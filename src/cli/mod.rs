@@ -6,6 +6,7 @@ mod csv_table;
 mod eval;
 mod fit;
 mod info;
+mod render;
 mod sample;
 
 use crate::files::FileError;
@@ -35,6 +36,7 @@ enum Command {
     Sample(sample::Args),
     Eval(eval::Args),
     Fit(Box<fit::Args>),
+    Render(render::Args),
 }
 
 /// Why a command failed.
@@ -68,6 +70,7 @@ pub fn main() -> ExitCode {
         Some(Command::Sample(args)) => sample::run(args, &mut out),
         Some(Command::Eval(args)) => eval::run(args, &mut out),
         Some(Command::Fit(args)) => fit::run(args, &mut out),
+        Some(Command::Render(args)) => render::run(args),
     };
     finish(result.and_then(|()| Ok(out.flush()?)))
 }

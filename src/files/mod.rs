@@ -62,12 +62,19 @@ pub fn open_measured(path: &Path, progress: Progress) -> Result<(Table, SourceFi
     let mut file = Hashing::new(file);
     let table =
         merl::read(&mut file, len, progress).map_err(|error| FileError::merl(path, error))?;
-    let source = SourceFile {
-        path: absolute(path).display().to_string(),
-        bytes: Some(len),
-        sha256: Some(file.finish()),
-    };
-    Ok((table, source))
+    Ok((table, file.finish(path, len)))
+}
+
+/// Which file this is, whatever it holds.
+///
+/// # Errors
+/// As [`open_table`].
+pub fn identify(path: &Path) -> Result<SourceFile, FileError> {
+    let (file, len) = open(path)?;
+    let mut file = Hashing::new(file);
+    std::io::copy(&mut file, &mut std::io::sink())
+        .map_err(|error| FileError::io(path, "reading failed", &error))?;
+    Ok(file.finish(path, len))
 }
 
 /// The models of a JSON file with what it says around them; `None` if the file is something else.
@@ -162,10 +169,14 @@ impl Hashing {
         }
     }
 
-    /// SHA-256 of all that was read, in hexadecimal.
-    fn finish(self) -> String {
+    /// The file, of which all was read.
+    fn finish(self, path: &Path, len: u64) -> SourceFile {
         let digest = self.hasher.finalize();
-        digest.iter().map(|byte| format!("{byte:02x}")).collect()
+        SourceFile {
+            path: absolute(path).display().to_string(),
+            bytes: Some(len),
+            sha256: Some(digest.iter().map(|byte| format!("{byte:02x}")).collect()),
+        }
     }
 }
 
