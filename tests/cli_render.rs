@@ -188,7 +188,11 @@ fn a_split_shows_the_data_left_and_their_best_fit_right() {
         &strangers,
         "there is no entry 2; the file has 2",
     );
-    failed(&split(&data, ""), &data, "expected a model or a fit file");
+    failed(
+        &split(&data, ""),
+        &data,
+        "no JSON file; expected a model or a fit file",
+    );
     assert!(!fresh.exists());
 }
 

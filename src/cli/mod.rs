@@ -4,6 +4,7 @@
 
 mod csv_table;
 mod eval;
+mod export;
 mod fit;
 mod info;
 mod render;
@@ -37,6 +38,7 @@ enum Command {
     Eval(eval::Args),
     Fit(Box<fit::Args>),
     Render(render::Args),
+    Export(export::Args),
 }
 
 /// Why a command failed.
@@ -71,6 +73,7 @@ pub fn main() -> ExitCode {
         Some(Command::Eval(args)) => eval::run(args, &mut out),
         Some(Command::Fit(args)) => fit::run(args, &mut out),
         Some(Command::Render(args)) => render::run(args),
+        Some(Command::Export(args)) => export::run(args, &mut out),
     };
     finish(result.and_then(|()| Ok(out.flush()?)))
 }

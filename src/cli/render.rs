@@ -158,25 +158,15 @@ fn model_beside(
     path: &Path,
     index: Option<usize>,
 ) -> Result<Brdf, FileError> {
-    let Some(entries) = files::open_models(path)? else {
-        let what = "this is no JSON file; expected a model or a fit file to split with";
-        return Err(FileError::new(path, what));
-    };
-    let count = entries.len();
-    let chosen = match (index, measured) {
-        (None, Some(measured)) if count > 1 => fits::best_of(&entries, &files::identify(measured)?)
-            .ok_or_else(|| {
-                format!("none of the {count} models is a fit of SOURCE; --index picks one")
-            }),
-        _ => {
-            let index = index.unwrap_or(0);
-            entries.get(index).ok_or_else(|| {
-                format!("there is no entry {index}; the file has {count}, counted from 0")
-            })
-        }
-    };
-    match chosen {
-        Ok(entry) => Ok(entry.brdf),
-        Err(what) => Err(FileError::new(path, what)),
+    if let (None, Some(measured), Some(entries)) = (index, measured, files::open_models(path)?)
+        && entries.len() > 1
+    {
+        let best = fits::best_of(&entries, &files::identify(measured)?);
+        return best.map(|entry| entry.brdf).ok_or_else(|| {
+            let count = entries.len();
+            let what = format!("none of the {count} models is a fit of SOURCE; --index picks one");
+            FileError::new(path, what)
+        });
     }
+    files::open_model(path, index.unwrap_or(0)).map(|entry| entry.brdf)
 }

@@ -5,10 +5,12 @@
 mod error;
 pub mod fits;
 pub mod folder;
+mod model_export;
 mod write;
 
 pub use error::FileError;
 pub use fits::SourceFile;
+pub use model_export::{MODEL_FORMATS, ModelFormat};
 pub use write::{check_writable, write_atomically};
 
 use crate::brdf::{self, Brdf};
@@ -88,6 +90,23 @@ pub fn open_models(path: &Path) -> Result<Option<Vec<fits::Entry>>, FileError> {
     };
     let entries = fits::entries(&text).map_err(|what| FileError::new(path, what))?;
     Ok(Some(entries))
+}
+
+/// The model at `index` (from 0) of a JSON file with what it says around it.
+///
+/// # Errors
+/// As [`open_table`]; a measured file is no model.
+pub fn open_model(path: &Path, index: usize) -> Result<fits::Entry, FileError> {
+    let Some(mut entries) = open_models(path)? else {
+        let what = "this is no JSON file; expected a model or a fit file, which `grazing fit` makes of measured files";
+        return Err(FileError::new(path, what));
+    };
+    if index < entries.len() {
+        return Ok(entries.swap_remove(index));
+    }
+    let count = entries.len();
+    let what = format!("there is no entry {index}; the file has {count}, counted from 0");
+    Err(FileError::new(path, what))
 }
 
 /// The path from the root on, links as they are; as it is where the current directory is gone.
