@@ -8,6 +8,7 @@ use super::state::{Show, State, Theme};
 use super::tiles::Pane;
 use crate::brdf::fresnel::Fresnel;
 use crate::figure::scale::RadialScale;
+use crate::files::ModelFormat;
 use crate::fit::Weight;
 use crate::geom::sphere::LIGHT_PRESETS;
 use crate::measured::lookup::Lookup;
@@ -30,6 +31,7 @@ pub enum Command {
     OpenRecent(usize),
     ClearRecent,
     Close,
+    ExportModel(ModelFormat),
     SavePicture,
     Quit,
     Undo,
@@ -117,6 +119,7 @@ impl Command {
             Self::Redo => state.history.can_redo(),
             Self::Close
             | Self::CopyParams
+            | Self::ExportModel(_)
             | Self::GuessParams
             | Self::ResetParams
             | Self::UseModel(_)

@@ -5,6 +5,7 @@ use super::fitting::{FitMsg, Settings, steps};
 use super::lessons;
 use super::library::{LibraryMsg, LibraryTask, fit_run, show};
 use super::state::{Dialog, Origin, State};
+use super::tasks::ModelExport;
 use super::tiles::Tiles;
 use super::update::{Msg, Task, apply, edit, edit_brdf, load};
 use crate::brdf::{Brdf, Fresnel, MODELS, Model};
@@ -30,6 +31,14 @@ pub(super) fn run(state: &mut State, command: Command) -> Vec<Task> {
         Command::Close => {
             let selected = state.scene.selected;
             return apply(state, Msg::Close(selected));
+        }
+        Command::ExportModel(format) => {
+            let export = state.current().map(|(material, opened)| ModelExport {
+                format,
+                material: material.name.clone(),
+                brdf: opened.brdf,
+            });
+            return export.map(Task::ExportModel).into_iter().collect();
         }
         Command::SavePicture => return vec![Task::SavePicture],
         Command::Quit => return vec![Task::Quit],

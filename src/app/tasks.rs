@@ -5,7 +5,11 @@ use super::jobs::{self, Outbox, Queue};
 use super::library;
 use super::state::Level;
 use super::update::{Msg, Task};
-use crate::files;
+use crate::brdf::Brdf;
+use crate::files::{self, ModelFormat};
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageEncoder as _};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
@@ -15,7 +19,7 @@ use std::time::{Duration, Instant};
 pub(super) const NO_DIALOG: Duration = Duration::from_millis(250);
 const NO_ANSWER: &str = "No file dialog answered; install one: sudo apt-get install -y zenity.";
 
-type SavePicker = dyn Fn(&str) -> Option<PathBuf> + Send + Sync;
+pub(super) type SavePicker = dyn Fn(&str) -> Option<PathBuf> + Send + Sync;
 
 /// How a person is asked for files; a test hands its own.
 #[derive(Clone)]
@@ -46,19 +50,55 @@ impl Picker {
                     .pick_folder()
             }),
             save: Arc::new(|name| {
-                let (title, filter, extension) = if name.ends_with(".json") {
-                    ("Save fits", "Fit file", "json")
-                } else {
-                    ("Save picture", "PNG picture", "png")
-                };
-                rfd::FileDialog::new()
-                    .set_title(title)
-                    .add_filter(filter, &[extension])
-                    .set_file_name(name)
-                    .save_file()
+                let mut dialog = rfd::FileDialog::new().set_file_name(name);
+                let extension = Path::new(name).extension();
+                let kind = SAVED
+                    .iter()
+                    .find(|kind| extension.is_some_and(|e| e == kind.extension));
+                if let Some(kind) = kind {
+                    dialog = dialog
+                        .set_title(kind.title)
+                        .add_filter(kind.filter, &[kind.extension]);
+                }
+                dialog.save_file()
             }),
         }
     }
+}
+
+/// What the dialog for saving says of a kind of file.
+struct Saved {
+    extension: &'static str,
+    title: &'static str,
+    filter: &'static str,
+}
+
+const SAVED: [Saved; 6] = [
+    saved("json", "Save fits", "Fit file"),
+    saved("png", "Save picture", "PNG picture"),
+    saved("binary", "Export model", "MERL file"),
+    saved("brdf", "Export model", "Disney BRDF"),
+    saved("wgsl", "Export model", "WGSL text"),
+    saved("glsl", "Export model", "GLSL text"),
+];
+
+const fn saved(extension: &'static str, title: &'static str, filter: &'static str) -> Saved {
+    Saved {
+        extension,
+        title,
+        filter,
+    }
+}
+
+/// A model to be written for other programs.
+#[derive(Debug)]
+pub struct ModelExport {
+    /// As what.
+    pub format: ModelFormat,
+    /// Name of the material it was laid over.
+    pub material: String,
+    /// The model with its numbers.
+    pub brdf: Brdf,
 }
 
 /// What to say where a dialog did not open.
@@ -105,9 +145,20 @@ pub fn start(
                 }
             });
         }
+        Task::ExportModel(export) => {
+            let name = export.format.file_name(&export.brdf, &export.material);
+            ask_and_write(outbox, &picker.save, name, move |file| {
+                let material = Some(export.material.as_str());
+                export.format.write(&export.brdf, material, file)
+            });
+        }
         Task::SavePicture => {
             let (outbox, save) = (outbox.clone(), Arc::clone(&picker.save));
-            let arrived = move |picture| save_picture(picture, outbox, save);
+            let arrived = move |picture: Arc<egui::ColorImage>| {
+                ask_and_write(&outbox, &save, "grazing.png".into(), move |file| {
+                    write_png(&picture, file)
+                });
+            };
             ctx.send_viewport_cmd(egui::ViewportCommand::Screenshot(
                 egui::ScreenshotCallback::new(arrived),
             ));
@@ -117,35 +168,40 @@ pub fn start(
     }
 }
 
-/// Asks where to, and writes the picture there.
-fn save_picture(picture: Arc<egui::ColorImage>, outbox: Outbox, save: Arc<SavePicker>) {
-    in_thread(&outbox.clone(), "save dialog", move || {
-        let Some(path) = save("grazing.png") else {
+/// Asks where to, proposing a name, writes the file there and says so.
+pub(super) fn ask_and_write(
+    outbox: &Outbox,
+    save: &Arc<SavePicker>,
+    name: String,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()> + Send + 'static,
+) {
+    let (told, save) = (outbox.clone(), Arc::clone(save));
+    in_thread(outbox, "save dialog", move || {
+        let asked = Instant::now();
+        let Some(path) = save(&name) else {
+            if asked.elapsed() < NO_DIALOG {
+                told.send(Msg::Notify(Level::Error, NO_ANSWER.into()));
+            }
             return;
         };
-        outbox.send(match write_png(&picture, &path) {
+        // The dialog has asked about an existing file.
+        told.send(match files::write_atomically(&path, true, write) {
             Ok(()) => Msg::Notify(Level::Info, format!("Saved {}", path.display())),
-            Err(reason) => Msg::Notify(Level::Error, reason),
+            Err(error) => Msg::Notify(Level::Error, error.to_string()),
         });
     });
 }
 
-fn write_png(picture: &egui::ColorImage, path: &Path) -> Result<(), String> {
+fn write_png(picture: &egui::ColorImage, file: &mut dyn Write) -> io::Result<()> {
     let [width, height] = picture.size.map(|n| n as u32);
     let bytes: Vec<u8> = picture
         .pixels
         .iter()
         .flat_map(|pixel| [pixel.r(), pixel.g(), pixel.b()])
         .collect();
-    let image =
-        image::RgbImage::from_raw(width, height, bytes).ok_or("the picture has no pixels")?;
-    let mut png = std::io::Cursor::new(Vec::new());
-    image
-        .write_to(&mut png, image::ImageFormat::Png)
-        .map_err(|error| format!("could not make the PNG: {error}"))?;
-    // The dialog has asked about an existing file.
-    files::write_atomically(path, true, |file| file.write_all(png.get_ref()))
-        .map_err(|error| error.to_string())
+    PngEncoder::new(file)
+        .write_image(&bytes, width, height, ExtendedColorType::Rgb8)
+        .map_err(io::Error::other)
 }
 
 pub(super) fn in_thread(outbox: &Outbox, name: &str, work: impl FnOnce() + Send + 'static) {

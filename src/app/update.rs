@@ -12,6 +12,7 @@ use super::probe::Probe;
 use super::run_command;
 use super::state::{CancelFlag, Level, LobeTile, Notice, Origin, Scene, SphereTile, State};
 use super::subjects::{self, SubjectKey, Subjects};
+use super::tasks::ModelExport;
 use super::views::{AlbedoView, ErrorMapView, ImageView, LandscapeView, Lobe3dView, SlicesView};
 use crate::brdf::{Brdf, ParamId, Params};
 use crate::files::SourceFile;
@@ -163,6 +164,8 @@ pub enum Task {
     Derive(Work),
     /// Ask for files to open.
     PickFiles,
+    /// Ask where to, and write a model.
+    ExportModel(ModelExport),
     /// Ask where to, and write a picture of the window.
     SavePicture,
     /// Put this on the clipboard.

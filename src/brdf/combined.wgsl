@@ -5,8 +5,8 @@ fn versine_pow4(x: f32) -> f32 {
 }
 
 fn lobe_combined(p: Params, c: Cosines) -> f32 {
-    let h2 = c.wh_n.cos * c.wh_n.cos;
-    let blend = Cosine(
+    let h2: f32 = c.wh_n.cos * c.wh_n.cos;
+    let blend: Cosine = Cosine(
         (1.0 - p.alpha) * c.wr_wo.cos + p.alpha * h2 * h2,
         (1.0 - p.alpha) * c.wr_wo.versine + p.alpha * versine_pow4(c.wh_n.versine),
     );

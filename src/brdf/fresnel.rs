@@ -36,6 +36,15 @@ impl Fresnel {
         }
     }
 
+    /// What it is and where it stands; empty for none.
+    pub fn source(self) -> &'static str {
+        match self {
+            Self::None => "",
+            Self::Exact => "the Fresnel equations for unpolarised light [CookTorrance82]",
+            Self::Schlick => "Schlick's approximation [Schlick94]",
+        }
+    }
+
     /// The choice whose `key` this is.
     pub fn by_key(key: &str) -> Option<Self> {
         FRESNELS.into_iter().find(|fresnel| fresnel.key() == key)

@@ -1,7 +1,8 @@
 //! Reflection models: `f_r = ρ_d/π + k_s · R_F(wi·wh, η) · lobe`, in 1/sr, without the cosine. Pure.
 //!
 //! A [`Model`] is a row of [`MODELS`]: its parameters drive sliders, bounds, uniforms, file formats and tests.
-//! A new model is a file `x.rs`, its twin `x.wgsl` and a row.
+//! A new model is a file `x.rs`, its twin `x.wgsl` and a row. Twins write out the type of every `let` and `var`, since
+//! [`share`] makes GLSL of them.
 
 pub mod albedo;
 mod blinn_phong;
@@ -10,6 +11,7 @@ pub mod fresnel;
 pub mod json;
 pub mod params;
 mod phong;
+pub mod share;
 pub mod wgsl;
 
 pub use albedo::albedo;

@@ -41,7 +41,7 @@ pub struct Args {
     force: bool,
 }
 
-fn lookup_parser() -> impl clap::builder::TypedValueParser<Value = Lookup> {
+pub(super) fn lookup_parser() -> impl clap::builder::TypedValueParser<Value = Lookup> {
     PossibleValuesParser::new(LOOKUPS.map(Lookup::key))
         .map(|key| Lookup::by_key(&key).unwrap_or_default())
 }

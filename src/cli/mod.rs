@@ -4,9 +4,11 @@
 
 mod csv_table;
 mod eval;
+mod export;
 mod figure;
 mod fit;
 mod info;
+mod render;
 mod sample;
 
 use crate::files::FileError;
@@ -37,6 +39,8 @@ enum Command {
     Eval(eval::Args),
     Fit(Box<fit::Args>),
     Figure(Box<figure::Args>),
+    Render(render::Args),
+    Export(export::Args),
 }
 
 /// Why a command failed.
@@ -71,6 +75,8 @@ pub fn main() -> ExitCode {
         Some(Command::Eval(args)) => eval::run(args, &mut out),
         Some(Command::Fit(args)) => fit::run(args, &mut out),
         Some(Command::Figure(args)) => figure::run(args, &mut out),
+        Some(Command::Render(args)) => render::run(args),
+        Some(Command::Export(args)) => export::run(args, &mut out),
     };
     finish(result.and_then(|()| Ok(out.flush()?)))
 }

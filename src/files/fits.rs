@@ -235,6 +235,17 @@ pub fn by_material(path: &Path, entries: Vec<Entry>) -> Vec<MaterialFits> {
     all
 }
 
+/// The model with the smallest E among the fits of a measured file: those made from the same path or the same bytes.
+pub fn best_of<'a>(entries: &'a [Entry], source: &SourceFile) -> Option<&'a Entry> {
+    let of_it = entries.iter().filter(|entry| {
+        let same =
+            |other: &SourceFile| other.path == source.path || other.same_data(source) == Some(true);
+        entry.source.as_ref().is_some_and(same)
+    });
+    let error = |entry: &Entry| entry.error.unwrap_or(f64::INFINITY);
+    of_it.min_by(|a, b| error(a).total_cmp(&error(b)))
+}
+
 fn belongs(entry: &Entry, fits: &MaterialFits) -> bool {
     match (&entry.source, &fits.source) {
         (Some(a), Some(b)) => a.path == b.path || a.same_data(b) == Some(true),

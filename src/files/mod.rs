@@ -5,10 +5,12 @@
 mod error;
 pub mod fits;
 pub mod folder;
+mod model_export;
 mod write;
 
 pub use error::FileError;
 pub use fits::SourceFile;
+pub use model_export::{MODEL_FORMATS, ModelFormat};
 pub use write::{check_writable, write_atomically};
 
 use crate::brdf::{self, Brdf};
@@ -62,12 +64,19 @@ pub fn open_measured(path: &Path, progress: Progress) -> Result<(Table, SourceFi
     let mut file = Hashing::new(file);
     let table =
         merl::read(&mut file, len, progress).map_err(|error| FileError::merl(path, error))?;
-    let source = SourceFile {
-        path: absolute(path).display().to_string(),
-        bytes: Some(len),
-        sha256: Some(file.finish()),
-    };
-    Ok((table, source))
+    Ok((table, file.finish(path, len)))
+}
+
+/// Which file this is, whatever it holds.
+///
+/// # Errors
+/// As [`open_table`].
+pub fn identify(path: &Path) -> Result<SourceFile, FileError> {
+    let (file, len) = open(path)?;
+    let mut file = Hashing::new(file);
+    std::io::copy(&mut file, &mut std::io::sink())
+        .map_err(|error| FileError::io(path, "reading failed", &error))?;
+    Ok(file.finish(path, len))
 }
 
 /// The models of a JSON file with what it says around them; `None` if the file is something else.
@@ -81,6 +90,23 @@ pub fn open_models(path: &Path) -> Result<Option<Vec<fits::Entry>>, FileError> {
     };
     let entries = fits::entries(&text).map_err(|what| FileError::new(path, what))?;
     Ok(Some(entries))
+}
+
+/// The model at `index` (from 0) of a JSON file with what it says around it.
+///
+/// # Errors
+/// As [`open_table`]; a measured file is no model.
+pub fn open_model(path: &Path, index: usize) -> Result<fits::Entry, FileError> {
+    let Some(mut entries) = open_models(path)? else {
+        let what = "this is no JSON file; expected a model or a fit file, which `grazing fit` makes of measured files";
+        return Err(FileError::new(path, what));
+    };
+    if index < entries.len() {
+        return Ok(entries.swap_remove(index));
+    }
+    let count = entries.len();
+    let what = format!("there is no entry {index}; the file has {count}, counted from 0");
+    Err(FileError::new(path, what))
 }
 
 /// The path from the root on, links as they are; as it is where the current directory is gone.
@@ -198,10 +224,14 @@ impl Hashing {
         }
     }
 
-    /// SHA-256 of all that was read, in hexadecimal.
-    fn finish(self) -> String {
+    /// The file, of which all was read.
+    fn finish(self, path: &Path, len: u64) -> SourceFile {
         let digest = self.hasher.finalize();
-        digest.iter().map(|byte| format!("{byte:02x}")).collect()
+        SourceFile {
+            path: absolute(path).display().to_string(),
+            bytes: Some(len),
+            sha256: Some(digest.iter().map(|byte| format!("{byte:02x}")).collect()),
+        }
     }
 }
 

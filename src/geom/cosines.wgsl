@@ -1,4 +1,5 @@
-// Twin of cosines.rs. Directions are unit vectors in the local frame, z = n.
+// Twin of cosines.rs. Directions are unit vectors in the local frame, z = n. Types are written out: brdf/share makes
+// GLSL of this.
 
 struct Cosine {
     cos: f32,
@@ -14,8 +15,8 @@ struct Cosines {
 }
 
 fn half_vector(wi: vec3f, wo: vec3f) -> vec3f {
-    let sum = wi + wo;
-    let squared = dot(sum, sum);
+    let sum: vec3f = wi + wo;
+    let squared: f32 = dot(sum, sum);
     if squared < 1e-30 {
         return vec3f(0.0, 0.0, 1.0);
     }
@@ -23,13 +24,13 @@ fn half_vector(wi: vec3f, wo: vec3f) -> vec3f {
 }
 
 fn cosine_between(a: vec3f, b: vec3f) -> Cosine {
-    let chord = a - b;
+    let chord: vec3f = a - b;
     return Cosine(max(dot(a, b), 0.0), min(0.5 * dot(chord, chord), 1.0));
 }
 
 fn cosines_from_directions(wi: vec3f, wo: vec3f) -> Cosines {
-    let wh = half_vector(wi, wo);
-    let wr = vec3f(-wi.x, -wi.y, wi.z);
+    let wh: vec3f = half_vector(wi, wo);
+    let wr: vec3f = vec3f(-wi.x, -wi.y, wi.z);
     return Cosines(
         wi.z,
         wo.z,
@@ -39,7 +40,7 @@ fn cosines_from_directions(wi: vec3f, wo: vec3f) -> Cosines {
     );
 }
 
-// ln(1 − x) for x in [0, 0.5]. WGSL has no log1p; the series takes over where 1 − x would round.
+// ln(1 − x) for x in [0, 0.5]. Shaders have no log1p; the series takes over where 1 − x would round.
 fn ln_one_minus(x: f32) -> f32 {
     if x < 0.06 {
         return -x * (1.0 + x * (0.5 + x * (1.0 / 3.0 + x * (0.25 + x * 0.2))));
@@ -48,7 +49,7 @@ fn ln_one_minus(x: f32) -> f32 {
 }
 
 fn pow_cosine(c: Cosine, exponent: f32) -> f32 {
-    var ln = 0.0;
+    var ln: f32 = 0.0;
     if c.versine < 0.5 {
         ln = ln_one_minus(c.versine);
     } else if c.cos > 0.0 {

@@ -44,6 +44,8 @@ impl Default for SphereView {
 /// A named set of lights.
 #[derive(Debug)]
 pub struct LightPreset {
+    /// Name on the command line.
+    pub key: &'static str,
     /// Name on screen.
     pub name: &'static str,
     /// One sentence.
@@ -55,26 +57,39 @@ pub struct LightPreset {
 /// The sets offered.
 pub static LIGHT_PRESETS: [LightPreset; 4] = [
     LightPreset {
+        key: "poster",
         name: "Glancing and grazing",
         help: "The poster's pair: a glancing light from the upper right, a grazing one from the lower left",
         lights: poster_lights,
     },
     LightPreset {
+        key: "glancing",
         name: "Glancing",
         help: "One light from the upper right",
         lights: || vec![glancing()],
     },
     LightPreset {
+        key: "grazing",
         name: "Grazing",
         help: "One light from the lower left, behind the sphere",
         lights: || vec![grazing()],
     },
     LightPreset {
+        key: "viewer",
         name: "From the viewer",
         help: "One light beside the viewer's eye",
         lights: || vec![light(0.0, 0.0, 1.0)],
     },
 ];
+
+impl Light {
+    /// White at strength 1, from `theta` off the viewer's axis, and there `phi` from the right towards above; in radians.
+    pub fn from_angles(theta: f64, phi: f64) -> Self {
+        let (sin_theta, cos_theta) = theta.sin_cos();
+        let (sin_phi, cos_phi) = phi.sin_cos();
+        light(sin_theta * cos_phi, sin_theta * sin_phi, cos_theta)
+    }
+}
 
 fn poster_lights() -> Vec<Light> {
     vec![glancing(), grazing()]

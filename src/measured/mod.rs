@@ -6,6 +6,7 @@ pub mod albedo;
 pub mod grid;
 pub mod lookup;
 pub mod merl;
+mod modelled;
 mod overview;
 pub mod samples;
 pub mod stats;
@@ -13,6 +14,7 @@ pub mod table;
 
 pub use grid::Grid;
 pub use lookup::Lookup;
+pub use modelled::modelled;
 pub use samples::{SAMPLES, Sample};
 pub use stats::ChannelStats;
 pub use table::Table;

@@ -21,6 +21,11 @@ pub fn window(files: Vec<PathBuf>, to_open: Vec<PathBuf>) -> Window {
         folder: Arc::new(|| None),
         save: Arc::new(|_| None),
     };
+    window_with(files, picker)
+}
+
+/// A window whose dialogs are answered by this.
+pub fn window_with(files: Vec<PathBuf>, picker: Picker) -> Window {
     let mut window = Harness::builder()
         .with_size([1280.0, 800.0])
         .with_step_dt(0.03)

@@ -7,6 +7,7 @@ use crate::app::tiles::PANES;
 use crate::brdf::MODELS;
 use crate::brdf::fresnel::{FRESNELS, Fresnel};
 use crate::figure::scale::RADIAL_SCALES;
+use crate::files::MODEL_FORMATS;
 use crate::fit::WEIGHTS;
 use crate::geom::sphere::LIGHT_PRESETS;
 use crate::geom::sphere_error::SphereError;
@@ -61,6 +62,16 @@ pub(super) fn entries() -> Vec<Entry> {
         Some((CTRL, Key::W)),
         "Close the shown material",
     );
+    for format in MODEL_FORMATS {
+        add(
+            "File",
+            "Export model",
+            Command::ExportModel(format),
+            &format!("{}…", format.name()),
+            None,
+            format.help(),
+        );
+    }
     add(
         "File",
         "",

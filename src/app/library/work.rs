@@ -4,10 +4,9 @@ use super::fit_work::FolderFit;
 use super::scan::Scanner;
 use super::{Hold, LibraryMsg};
 use crate::app::jobs::Outbox;
-use crate::app::state::{CancelFlag, Level};
-use crate::app::tasks::{NO_DIALOG, Picker, in_thread, no_dialog};
+use crate::app::state::CancelFlag;
+use crate::app::tasks::{NO_DIALOG, Picker, ask_and_write, in_thread, no_dialog};
 use crate::app::update::Msg;
-use crate::files;
 use crate::files::fits::{FitRecord, write_json};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -65,17 +64,8 @@ pub(in crate::app) fn start(task: LibraryTask, outbox: &Outbox, picker: &Picker)
             });
         }
         LibraryTask::Save(fits) => {
-            let save = Arc::clone(&picker.save);
-            in_thread(&outbox.clone(), "save dialog", move || {
-                let Some(path) = save("fits.json") else {
-                    return;
-                };
-                // The dialog has asked about an existing file.
-                let written = files::write_atomically(&path, true, |file| write_json(&fits, file));
-                outbox.send(match written {
-                    Ok(()) => Msg::Notify(Level::Info, format!("Saved {}", path.display())),
-                    Err(error) => Msg::Notify(Level::Error, error.to_string()),
-                });
+            ask_and_write(&outbox, &picker.save, "fits.json".into(), move |file| {
+                write_json(&fits, file)
             });
         }
     }

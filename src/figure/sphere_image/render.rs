@@ -5,6 +5,7 @@ use crate::geom::Rgb;
 use crate::geom::color::srgb_encode;
 use crate::geom::sphere::SphereView;
 use image::codecs::openexr::OpenExrEncoder;
+use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder as _, ImageResult};
 use rayon::prelude::*;
 use std::io::{Seek, Write};
@@ -129,6 +130,15 @@ impl LinearImage {
         pixels
             .map(|pixel| self.on_background(pixel.map(f64::from)).map(|x| x as f32))
             .collect()
+    }
+
+    /// Writes [`LinearImage::to_rgba8`] as a PNG file.
+    ///
+    /// # Errors
+    /// What the writer says, and for a picture without pixels.
+    pub fn write_png(&self, writer: impl Write) -> ImageResult<()> {
+        let side = self.size as u32;
+        PngEncoder::new(writer).write_image(&self.to_rgba8(), side, side, ExtendedColorType::Rgba8)
     }
 
     /// Writes [`LinearImage::to_linear`] as an OpenEXR file with 32-bit floats.

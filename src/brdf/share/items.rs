@@ -1,0 +1,107 @@
+//! The functions and structs of WGSL texts, one by one, and what each of them needs.
+
+use std::collections::BTreeSet;
+
+/// The top-level functions and structs of texts in which each begins and ends at the left margin.
+pub struct Items {
+    all: Vec<Item>,
+}
+
+struct Item {
+    name: String,
+    /// With the comment right above it.
+    text: String,
+}
+
+impl Items {
+    /// Takes the texts apart.
+    pub fn new(texts: &[&str]) -> Self {
+        let mut all = Vec::new();
+        for text in texts {
+            let mut item = String::new();
+            let mut name = None;
+            for line in text.lines() {
+                if line.is_empty() && name.is_none() {
+                    // A comment that stands alone belongs to the file.
+                    item.clear();
+                    continue;
+                }
+                item.push_str(line);
+                item.push('\n');
+                if name.is_none() && !line.starts_with("//") {
+                    name = words(line).nth(1).map(str::to_owned);
+                }
+                if line == "}" {
+                    let text = std::mem::take(&mut item);
+                    all.extend(name.take().map(|name| Item { name, text }));
+                }
+            }
+        }
+        Self { all }
+    }
+
+    /// A text with an item and all that it needs, each after what it needs itself. The names of all but the item get a
+    /// prefix, so that they meet no others: `brdf_` for functions, `Brdf` for structs.
+    pub fn needed_by(&self, name: &str) -> String {
+        let mut order = Vec::new();
+        self.visit(name, &mut BTreeSet::new(), &mut order);
+        let mut text = String::new();
+        for item in order {
+            if !text.is_empty() {
+                text.push('\n');
+            }
+            for token in tokens(&item.text) {
+                let is_item = self.all.iter().any(|item| item.name == token);
+                if is_item && token != name {
+                    let is_struct = token.starts_with(char::is_uppercase);
+                    text.push_str(if is_struct { "Brdf" } else { "brdf_" });
+                }
+                text.push_str(token);
+            }
+        }
+        text
+    }
+
+    fn visit<'a>(&'a self, name: &str, seen: &mut BTreeSet<&'a str>, order: &mut Vec<&'a Item>) {
+        let Some(item) = self.all.iter().find(|item| item.name == name) else {
+            return;
+        };
+        if seen.insert(&item.name) {
+            for word in words(&item.text) {
+                self.visit(word, seen, order);
+            }
+            order.push(item);
+        }
+    }
+}
+
+/// The words of a text outside of comments.
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    tokens(text).filter(|token| token.starts_with(is_word))
+}
+
+/// A text in pieces: words and numbers, runs of blanks, comments, single signs. Together they are the text.
+pub fn tokens(text: &str) -> impl Iterator<Item = &str> {
+    let mut rest = text;
+    std::iter::from_fn(move || {
+        let first = rest.chars().next()?;
+        let run = |inside: fn(char) -> bool| rest.find(|c| !inside(c)).unwrap_or(rest.len());
+        let length = if is_word(first) {
+            run(is_word)
+        } else if first.is_whitespace() {
+            run(char::is_whitespace)
+        } else if rest.starts_with("//") {
+            run(|c| c != '\n')
+        } else {
+            first.len_utf8()
+        };
+        let (token, after) = rest.split_at(length);
+        rest = after;
+        Some(token)
+    })
+}
+
+/// Whether words are made of it.
+pub fn is_word(c: char) -> bool {
+    c.is_ascii_alphanumeric() || c == '_'
+}

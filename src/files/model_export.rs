@@ -1,0 +1,187 @@
+//! Models as files for other programs.
+
+use super::FileError;
+use crate::brdf::{Brdf, share};
+use crate::measured::{Grid, merl, modelled};
+use std::io::{self, Write};
+use std::path::Path;
+
+/// A kind of file that a model is exported as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModelFormat {
+    /// A measured file of the model.
+    Merl,
+    /// For Disney's BRDF Explorer.
+    Disney,
+    /// A function to paste.
+    Wgsl,
+    /// The same in GLSL.
+    Glsl,
+}
+
+/// All kinds in the order in which they are offered.
+pub const MODEL_FORMATS: [ModelFormat; 4] = [
+    ModelFormat::Merl,
+    ModelFormat::Disney,
+    ModelFormat::Wgsl,
+    ModelFormat::Glsl,
+];
+
+impl ModelFormat {
+    /// Name on the command line.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Merl => "merl",
+            Self::Disney => "disney",
+            Self::Wgsl => "wgsl",
+            Self::Glsl => "glsl",
+        }
+    }
+
+    /// Name on screen.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Merl => "MERL file",
+            Self::Disney => "Disney .brdf",
+            Self::Wgsl => "WGSL function",
+            Self::Glsl => "GLSL function",
+        }
+    }
+
+    /// One sentence.
+    pub fn help(self) -> &'static str {
+        match self {
+            Self::Merl => {
+                "Save the model as a measured file, with a value at the centre of each cell"
+            }
+            Self::Disney => "Save the model with its numbers for Disney's BRDF Explorer",
+            Self::Wgsl => "Save the model with its numbers as a WGSL function to paste",
+            Self::Glsl => "Save the model with its numbers as a GLSL function to paste",
+        }
+    }
+
+    /// Extension of its files, without the dot.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Self::Merl => "binary",
+            Self::Disney => "brdf",
+            Self::Wgsl => "wgsl",
+            Self::Glsl => "glsl",
+        }
+    }
+
+    /// Whether people can read it.
+    pub fn is_text(self) -> bool {
+        self != Self::Merl
+    }
+
+    /// The kind whose `key` this is.
+    pub fn by_key(key: &str) -> Option<Self> {
+        MODEL_FORMATS.into_iter().find(|format| format.key() == key)
+    }
+
+    /// The kind that a path's extension names.
+    ///
+    /// # Errors
+    /// Names the extensions that are expected.
+    pub fn of_path(path: &Path) -> Result<Self, FileError> {
+        let extension = path.extension().unwrap_or_default();
+        let mut formats = MODEL_FORMATS.into_iter();
+        formats
+            .find(|format| extension.eq_ignore_ascii_case(format.extension()))
+            .ok_or_else(|| {
+                let known = MODEL_FORMATS.map(|format| format!(".{}", format.extension()));
+                let known = known.join(", ");
+                let what = format!("the extension does not say what to write; expected {known}");
+                FileError::new(path, what)
+            })
+    }
+
+    /// Writes a model. Texts name the material.
+    ///
+    /// # Errors
+    /// What the writer says.
+    pub fn write(
+        self,
+        brdf: &Brdf,
+        material: Option<&str>,
+        writer: &mut dyn Write,
+    ) -> io::Result<()> {
+        let text = match self {
+            Self::Merl => return merl::write(&modelled(brdf, Grid::FOLDED), writer),
+            Self::Disney => share::disney(brdf, material),
+            Self::Wgsl => share::wgsl(brdf, material),
+            Self::Glsl => share::glsl(brdf, material),
+        };
+        writer.write_all(text.as_bytes())
+    }
+
+    /// The name that is proposed for a file: `teflon_combined-exact.wgsl`.
+    pub fn file_name(self, brdf: &Brdf, material: &str) -> String {
+        let fresnel = match brdf.fresnel.key() {
+            "none" => String::new(),
+            key => format!("-{key}"),
+        };
+        let (material, model) = (name_part(material), brdf.model.key);
+        format!("{material}_{model}{fresnel}.{}", self.extension())
+    }
+}
+
+/// A name as a part of a file's name: letters, digits, dashes, dots and underscores.
+fn name_part(name: &str) -> String {
+    let kept = |c: char| c.is_alphanumeric() || matches!(c, '-' | '.' | '_');
+    let parts: Vec<&str> = name
+        .split(|c| !kept(c))
+        .filter(|part| !part.is_empty())
+        .collect();
+    let joined = parts.join("-");
+    let bare = joined.trim_start_matches(['.', '-']);
+    if bare.is_empty() {
+        "model".into()
+    } else {
+        bare.into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::brdf::{Fresnel, MODELS, Params};
+
+    #[test]
+    fn proposed_names_are_names_of_files() {
+        let mut brdf = Brdf {
+            model: MODELS[2],
+            fresnel: Fresnel::Exact,
+            params: Params::default(),
+        };
+        let name = |brdf: &Brdf, material: &str| ModelFormat::Wgsl.file_name(brdf, material);
+        assert_eq!(name(&brdf, "teflon"), "teflon_combined-exact.wgsl");
+        assert_eq!(
+            name(&brdf, "Teflon (synthetic)"),
+            "Teflon-synthetic_combined-exact.wgsl"
+        );
+        assert_eq!(name(&brdf, "../a/b"), "a-b_combined-exact.wgsl");
+        brdf.fresnel = Fresnel::None;
+        brdf.model = MODELS[1];
+        assert_eq!(name(&brdf, "?"), "model_blinn-phong.wgsl");
+    }
+
+    #[test]
+    fn extensions_say_what_to_write() {
+        for format in MODEL_FORMATS {
+            let path = format!("a.{}", format.extension().to_uppercase());
+            assert_eq!(
+                ModelFormat::of_path(Path::new(&path)).expect("known"),
+                format
+            );
+            assert_eq!(ModelFormat::by_key(format.key()), Some(format));
+        }
+        let error = ModelFormat::of_path(Path::new("a.txt")).expect_err("unknown");
+        let said = error.to_string();
+        assert!(
+            said.ends_with("expected .binary, .brdf, .wgsl, .glsl: a.txt"),
+            "{said}"
+        );
+    }
+}
