@@ -2,6 +2,7 @@
 
 mod entries;
 mod folder_entries;
+mod paper_entries;
 
 use super::library::fit_run;
 use super::state::{Show, State, Theme};
@@ -32,10 +33,14 @@ pub enum Command {
     ClearRecent,
     Close,
     ExportModel(ModelFormat),
+    ExportFigure,
     SavePicture,
     Quit,
     Undo,
     Redo,
+    Copy,
+    CopyPicture,
+    CopyNumbers,
     CopyProbe,
     Unpin,
     CopyParams,
@@ -120,10 +125,13 @@ impl Command {
             Self::Close
             | Self::CopyParams
             | Self::ExportModel(_)
+            | Self::ExportFigure
             | Self::GuessParams
             | Self::ResetParams
             | Self::UseModel(_)
             | Self::UseFresnel(_) => state.current().is_some(),
+            Self::Copy => Self::CopyProbe.is_enabled(state) || Self::CopyPicture.is_enabled(state),
+            Self::CopyPicture | Self::CopyNumbers => state.meant_view().is_some(),
             Self::CopyProbe => state.probe().is_some() && state.current().is_some(),
             Self::Unpin => state.pinned.is_some() && state.dialog.is_none(),
             Self::Fit | Self::FitAll => state.fit_blocked().is_none(),

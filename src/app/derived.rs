@@ -5,6 +5,7 @@
 //! field of [`Derived`].
 
 use super::jobs::Outbox;
+use super::paper::PreviewWish;
 use super::state::{CancelFlag, State};
 use super::update::{Msg, Task};
 use super::views::albedo::{MeasuredAlbedo, ModelAlbedo};
@@ -23,6 +24,8 @@ pub struct Derived {
     pub model_albedo: Slot<ModelAlbedo>,
     /// Where the error of the shown model comes from.
     pub error_map: Slot<ErrorWish>,
+    /// A figure on paper.
+    pub preview: Slot<PreviewWish>,
     /// The best error over (s, α).
     pub landscape: Slot<LandscapeWish>,
 }

@@ -12,6 +12,7 @@ mod open_fits;
 mod opening;
 pub mod paint;
 mod panels;
+pub mod paper;
 mod prefs;
 pub mod probe;
 mod run_command;

@@ -2,6 +2,8 @@
 
 mod pictures;
 
+pub(super) use pictures::paint_picture;
+
 use crate::figure::drawing::{Drawing, Item, Label, Point};
 use crate::figure::palette::{Ink, Palette, Role};
 use crate::figure::text::{Level, RichText};
@@ -68,7 +70,7 @@ pub fn paint(painter: &Painter, origin: Pos2, drawing: &Drawing, palette: &Palet
                 smooth,
             } => {
                 let rect = Rect::from_min_max(place(min), place(max));
-                pictures::paint_picture(painter, rect, [*width, *height], rgba, *smooth);
+                paint_picture(painter, rect, [*width, *height], rgba, *smooth);
             }
         }
     }

@@ -1,5 +1,6 @@
 //! What is kept between runs.
 
+use super::paper::FigurePrefs;
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use std::path::PathBuf;
@@ -14,6 +15,8 @@ pub struct Prefs {
     pub theme: Theme,
     /// The folder that was open last.
     pub folder: Option<PathBuf>,
+    /// How figures look.
+    pub figure: FigurePrefs,
     /// How much memory tables may take.
     pub memory: MemoryLimit,
 }

@@ -4,6 +4,7 @@ use super::command::Command;
 use super::fitting::{FitMsg, Settings, steps};
 use super::lessons;
 use super::library::{LibraryMsg, LibraryTask, fit_run, show};
+use super::paper::{self, PaperTask};
 use super::state::{Dialog, Origin, State};
 use super::tasks::ModelExport;
 use super::tiles::Tiles;
@@ -128,6 +129,18 @@ pub(super) fn run(state: &mut State, command: Command) -> Vec<Task> {
         Command::ResetLayout => state.tiles = Tiles::default(),
         Command::ToggleTile(pane) => state.tiles.toggle(pane),
         Command::Unpin => state.pinned = None,
+        Command::ExportFigure => paper::open(state),
+        Command::Copy => {
+            let values = state.pinned.is_some() || state.views.pointed.is_none();
+            let command = if values && Command::CopyProbe.is_enabled(state) {
+                Command::CopyProbe
+            } else {
+                Command::CopyPicture
+            };
+            return run(state, command);
+        }
+        Command::CopyPicture => return paper::copy(state, PaperTask::CopyPicture),
+        Command::CopyNumbers => return paper::copy(state, PaperTask::CopyNumbers),
         Command::CopyProbe => return state.probe_row().map(Task::Copy).into_iter().collect(),
         Command::CopyParams => {
             if let Some((_, opened)) = state.current() {

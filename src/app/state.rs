@@ -5,6 +5,7 @@ use super::fitting::{FitState, KeptFit};
 use super::history::History;
 use super::lessons::LessonAt;
 use super::library::{Library, Presence};
+use super::paper::Views;
 use super::probe::Probe;
 use super::subjects::SubjectKey;
 use super::tiles::Tiles;
@@ -293,6 +294,8 @@ pub enum Dialog {
     Palette,
     /// A path to open, typed.
     OpenPath,
+    /// A figure to export.
+    Figure,
     /// Angles, vectors, units.
     Conventions,
     /// Version and graphics adapter.
@@ -320,6 +323,8 @@ pub struct State {
     pub hovered: Option<Probe>,
     /// The pair of directions that stays marked wherever the pointer goes.
     pub pinned: Option<Probe>,
+    /// The views that commands and figures are about.
+    pub views: Views,
     /// Where a learner is.
     pub lesson: Option<LessonAt>,
     /// Jobs under way, the oldest first.

@@ -3,6 +3,7 @@
 use super::fitting::work::Fitter;
 use super::jobs::{self, Outbox, Queue};
 use super::library;
+use super::paper;
 use super::state::Level;
 use super::update::{Msg, Task};
 use crate::brdf::Brdf;
@@ -73,9 +74,13 @@ struct Saved {
     filter: &'static str,
 }
 
-const SAVED: [Saved; 6] = [
+const SAVED: [Saved; 10] = [
     saved("json", "Save fits", "Fit file"),
     saved("png", "Save picture", "PNG picture"),
+    saved("svg", "Export figure", "SVG figure"),
+    saved("pdf", "Export figure", "PDF figure"),
+    saved("csv", "Export figure", "CSV table"),
+    saved("exr", "Export figure", "EXR picture"),
     saved("binary", "Export model", "MERL file"),
     saved("brdf", "Export model", "Disney BRDF"),
     saved("wgsl", "Export model", "WGSL text"),
@@ -145,6 +150,7 @@ pub fn start(
                 }
             });
         }
+        Task::Paper(task) => paper::start(task, ctx, outbox, picker),
         Task::ExportModel(export) => {
             let name = export.format.file_name(&export.brdf, &export.material);
             ask_and_write(outbox, &picker.save, name, move |file| {
@@ -175,6 +181,20 @@ pub(super) fn ask_and_write(
     name: String,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()> + Send + 'static,
 ) {
+    ask_and_do(outbox, save, name, move |path| {
+        // The dialog has asked about an existing file.
+        files::write_atomically(&path, true, write).map_err(|error| error.to_string())?;
+        Ok(path)
+    });
+}
+
+/// Asks where to, proposing a name, does the work there and says what it has saved.
+pub(super) fn ask_and_do(
+    outbox: &Outbox,
+    save: &Arc<SavePicker>,
+    name: String,
+    work: impl FnOnce(PathBuf) -> Result<PathBuf, String> + Send + 'static,
+) {
     let (told, save) = (outbox.clone(), Arc::clone(save));
     in_thread(outbox, "save dialog", move || {
         let asked = Instant::now();
@@ -184,10 +204,9 @@ pub(super) fn ask_and_write(
             }
             return;
         };
-        // The dialog has asked about an existing file.
-        told.send(match files::write_atomically(&path, true, write) {
-            Ok(()) => Msg::Notify(Level::Info, format!("Saved {}", path.display())),
-            Err(error) => Msg::Notify(Level::Error, error.to_string()),
+        told.send(match work(path) {
+            Ok(path) => Msg::Notify(Level::Info, format!("Saved {}", path.display())),
+            Err(reason) => Msg::Notify(Level::Error, reason),
         });
     });
 }

@@ -8,6 +8,7 @@ use super::library::{self, LibraryMsg, LibraryTask};
 use super::open_fits;
 use super::opening::forget_unreachable;
 pub(super) use super::opening::{add_material, add_material_at, load, load_with};
+use super::paper::{self, PaperMsg, PaperTask};
 use super::probe::Probe;
 use super::run_command;
 use super::state::{CancelFlag, Level, LobeTile, Notice, Origin, Scene, SphereTile, State};
@@ -69,6 +70,8 @@ pub enum Msg {
     EndLesson,
     /// Something about fitting.
     Fit(FitMsg),
+    /// Something about a figure.
+    Paper(PaperMsg),
     /// Something about the folder and memory.
     Library(LibraryMsg),
     /// Change the sphere tile.
@@ -160,6 +163,8 @@ pub enum Task {
     Resolve(Resolve),
     /// Look at a folder, fit it, or ask for one.
     Library(LibraryTask),
+    /// Write or copy a figure.
+    Paper(PaperTask),
     /// Make what a view wishes for.
     Derive(Work),
     /// Ask for files to open.
@@ -263,6 +268,7 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
         Msg::Lesson { lesson, step } => return lessons::go(state, lesson, step),
         Msg::EndLesson => state.lesson = None,
         Msg::Fit(msg) => return steps::apply(state, msg),
+        Msg::Paper(msg) => return paper::apply(state, msg),
         Msg::Library(msg) => return library::steps::apply(state, msg),
         Msg::SetSphere(sphere) => edit(state, |scene| scene.sphere = sphere),
         Msg::SetLobes(lobes) => edit(state, |scene| scene.lobes = lobes),

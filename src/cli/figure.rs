@@ -40,7 +40,7 @@ pub struct Args {
     /// A .figure.json; with --preset measured files and fit files
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// File to write: .svg, .pdf, .png or .csv
+    /// File to write: .svg, .pdf, .png, .csv, or .exr for a sphere alone
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     /// Which figure to make from the files
@@ -189,9 +189,8 @@ pub fn run(args: &Args, _out: &mut dyn Write) -> Result<(), CliError> {
     let go_on = &mut || ControlFlow::Continue(());
     let mut table = |source: &_| open_from_files(source, &folder, args.changed, &mut opened);
     let prepared = prepare(&spec, &mut table, go_on)?;
-    let page = spec.draw(&prepared)?;
     let kept = args.preset.is_none().then(|| args.files[0].as_path());
-    write_figure(&args.output, format, (&spec, &page), args.force, kept)?;
+    write_figure(&args.output, format, (&spec, &prepared), args.force, kept)?;
     Ok(())
 }
 

@@ -159,16 +159,20 @@ impl FigureSpec {
         Self::from_json(&self.to_json()).unwrap_or_else(|_| self.clone())
     }
 
+    /// Its page.
+    pub fn page(&self) -> PageSpec {
+        PageSpec {
+            rows: self.rows.clone(),
+            style: self.style.clone(),
+        }
+    }
+
     /// Draws it from what [`super::prepare`] has brought.
     ///
     /// # Errors
     /// One sentence.
     pub fn draw(&self, prepared: &super::Prepared) -> Result<Page, ExportError> {
-        let page = PageSpec {
-            rows: self.rows.clone(),
-            style: self.style.clone(),
-        };
-        draw(&page, &prepared.subjects, &prepared.made).map_err(ExportError::Other)
+        draw(&self.page(), &prepared.subjects, &prepared.made).map_err(ExportError::Other)
     }
 }
 

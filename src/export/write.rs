@@ -1,13 +1,17 @@
 //! Figures as files.
 
-use super::{ExportError, FigureSpec, spec_beside};
-use crate::figure::page::Page;
+use super::{ExportError, FigureSpec, Prepared, spec_beside};
+use crate::figure::page::{Page, only_sphere};
+use crate::figure::sphere_image::render;
 use crate::figure::write::{pdf, raster, svg};
 use crate::files::{self, write_atomically};
+use serde::{Deserialize, Serialize};
+use std::io::Cursor;
 use std::path::Path;
 
 /// What a figure is written as.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Format {
     /// Lines and text that stay such.
     #[default]
@@ -18,10 +22,18 @@ pub enum Format {
     Png,
     /// The numbers that are drawn.
     Csv,
+    /// A sphere alone, in linear light and not clamped.
+    Exr,
 }
 
 /// All of them in the order offered.
-pub const FORMATS: [Format; 4] = [Format::Svg, Format::Pdf, Format::Png, Format::Csv];
+pub const FORMATS: [Format; 5] = [
+    Format::Svg,
+    Format::Pdf,
+    Format::Png,
+    Format::Csv,
+    Format::Exr,
+];
 
 impl Format {
     /// The end of a file's name, and its name on the command line.
@@ -31,6 +43,7 @@ impl Format {
             Self::Pdf => "pdf",
             Self::Png => "png",
             Self::Csv => "csv",
+            Self::Exr => "exr",
         }
     }
 
@@ -41,6 +54,7 @@ impl Format {
             Self::Pdf => "PDF",
             Self::Png => "PNG",
             Self::Csv => "CSV",
+            Self::Exr => "EXR",
         }
     }
 
@@ -56,7 +70,13 @@ impl Format {
     ///
     /// # Errors
     /// One sentence where it cannot be written so.
-    pub fn bytes(self, page: &Page, dpi: f64) -> Result<Vec<u8>, ExportError> {
+    pub fn bytes(
+        self,
+        spec: &FigureSpec,
+        prepared: &Prepared,
+        page: &Page,
+    ) -> Result<Vec<u8>, ExportError> {
+        let dpi = spec.style.dpi;
         let other = |text: String| ExportError::Other(text);
         match self {
             Self::Svg => Ok(svg::svg(&page.paper).into_bytes()),
@@ -66,11 +86,27 @@ impl Format {
                 "the figure has no numbers: nothing but spheres".into(),
             )),
             Self::Csv => Ok(page.table.text(',').into_bytes()),
+            Self::Exr => exr(spec, prepared, dpi).map_err(other),
         }
     }
 }
 
-/// Writes a figure and, beside it, its spec. Files that are there are refused unless `force`. `kept` is a spec that is
+/// The only sphere of a figure, as many pixels wide as the page at this resolution.
+fn exr(spec: &FigureSpec, prepared: &Prepared, dpi: f64) -> Result<Vec<u8>, String> {
+    const MOST: f64 = 8192.0;
+    let Some((source, view)) = only_sphere(&spec.page(), &prepared.subjects) else {
+        return Err("EXR holds one sphere and nothing else; choose a sphere alone, or PNG".into());
+    };
+    let size = (spec.style.width_mm / 25.4 * dpi).round().clamp(1.0, MOST);
+    let picture = render(&source, &view, size as usize);
+    let mut bytes = Cursor::new(Vec::new());
+    picture
+        .write_exr(&mut bytes)
+        .map_err(|error| format!("cannot make the EXR: {error}"))?;
+    Ok(bytes.into_inner())
+}
+
+/// Draws a figure, writes it and, beside it, its spec. Files that are there are refused unless `force`. `kept` is a spec that is
 /// left as it is, the one that is drawn.
 ///
 /// # Errors
@@ -78,7 +114,7 @@ impl Format {
 pub fn write_figure(
     path: &Path,
     format: Format,
-    (spec, page): (&FigureSpec, &Page),
+    (spec, prepared): (&FigureSpec, &Prepared),
     force: bool,
     kept: Option<&Path>,
 ) -> Result<(), ExportError> {
@@ -87,7 +123,8 @@ pub fn write_figure(
     if !keep {
         files::check_writable(&beside, force)?;
     }
-    let bytes = format.bytes(page, spec.style.dpi)?;
+    let page = spec.draw(prepared)?;
+    let bytes = format.bytes(spec, prepared, &page)?;
     write_atomically(path, force, |file| file.write_all(&bytes))?;
     if !keep {
         let text = spec.to_json();

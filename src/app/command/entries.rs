@@ -110,7 +110,7 @@ pub(super) fn entries() -> Vec<Entry> {
         "",
         Command::CopyProbe,
         "Copy values",
-        Some((CTRL, Key::C)),
+        None,
         "Copy the probe's angles and values as a row for a spreadsheet",
     );
     add(
@@ -126,7 +126,7 @@ pub(super) fn entries() -> Vec<Entry> {
         "",
         Command::CopyParams,
         "Copy parameters",
-        Some((CTRL_SHIFT, Key::C)),
+        None,
         "Copy model and numbers as JSON",
     );
     add(
@@ -359,6 +359,7 @@ pub(super) fn entries() -> Vec<Entry> {
         None,
         "Version and graphics adapter",
     );
+    super::paper_entries::insert(&mut list);
     super::folder_entries::insert(&mut list);
     list
 }

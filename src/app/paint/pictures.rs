@@ -8,7 +8,7 @@ use egui::{Color32, ColorImage, Painter, Rect, TextureHandle, TextureOptions, po
 type Kept = FramePublisher<(u64, [usize; 2], bool), TextureHandle>;
 
 /// Paints rows of sRGB pixels with straight opacity.
-pub(super) fn paint_picture(
+pub(in crate::app) fn paint_picture(
     painter: &Painter,
     rect: Rect,
     [width, height]: [usize; 2],

@@ -2,6 +2,7 @@
 
 use crate::app::command::{ENTRIES, Entry};
 use crate::app::paint::rich_text_job;
+use crate::app::panels::figure::figure_ui;
 use crate::app::state::{Dialog, State};
 use crate::app::update::Msg;
 use crate::figure::text::RichText;
@@ -17,6 +18,7 @@ pub fn dialog_ui(ctx: &egui::Context, state: &State, adapter: &str, out: &mut Ve
             match dialog {
                 Dialog::Palette => palette_ui(ui, state, out),
                 Dialog::OpenPath => open_path_ui(ui, state, out),
+                Dialog::Figure => figure_ui(ui, state, out),
                 Dialog::Conventions => conventions_ui(ui),
                 Dialog::About => about_ui(ui, adapter),
             }

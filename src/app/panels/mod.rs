@@ -1,6 +1,7 @@
 //! The parts around the tiles. Each reads the state and pushes messages.
 
 pub mod dialogs;
+pub mod figure;
 pub mod fit;
 pub mod fit_details;
 pub mod fit_result;

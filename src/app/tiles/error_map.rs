@@ -11,14 +11,14 @@ use crate::app::update::Msg;
 use crate::app::views::background::Data;
 use crate::app::views::error_map::{ErrorMapView, ErrorWish};
 use crate::app::views::image;
+use crate::export::made::bins;
 use crate::figure::Mark;
 use crate::figure::error_map::{ErrorSpec, Plane};
 use crate::figure::heatmap::{Field, Spot};
 use crate::figure::scale::RADIAL_SCALES;
-use crate::fit::error_map::{Bin, DIRECTION_BINS, ErrorMap};
+use crate::fit::error_map::{Bin, ErrorMap};
 use crate::geom::HalfDiff;
 use crate::geom::directions::theta;
-use crate::measured::grid::THETA_H_BINS;
 use std::f64::consts::FRAC_PI_2;
 
 /// Draws the tile.
@@ -101,20 +101,6 @@ fn toolbar_ui(ui: &mut egui::Ui, view: &ErrorMapView, out: &mut Vec<Msg>) {
             out.push(set(view, |view| view.scale = scale));
         }
     });
-}
-
-/// The bins in rows from the smallest angle upwards, and how many are in a row.
-fn bins(plane: Plane, made: &ErrorMap) -> (Vec<Option<Bin>>, usize) {
-    match plane {
-        Plane::Directions => {
-            // No light was measured there.
-            let bins = made.directions.iter();
-            let known =
-                bins.map(|bin| Some(*bin).filter(|bin| bin.energy > 0.0 || bin.error > 0.0));
-            (known.collect(), DIRECTION_BINS)
-        }
-        Plane::HalfDiff => (made.half_diff.clone(), THETA_H_BINS),
-    }
 }
 
 fn spec(view: &ErrorMapView, made: &ErrorMap, probe: Option<Probe>) -> ErrorSpec {

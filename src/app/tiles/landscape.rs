@@ -9,6 +9,7 @@ use crate::app::state::State;
 use crate::app::update::Msg;
 use crate::app::views::landscape::{LandscapeView, LandscapeWish, path, place};
 use crate::brdf::Fresnel;
+use crate::export::made::terrain;
 use crate::figure::heatmap::View;
 use crate::figure::landscape::{LandscapeSpec, Terrain};
 use crate::fit::landscape::{Eta, Landscape};
@@ -122,18 +123,6 @@ fn eta_words(wish: &LandscapeWish) -> String {
         (Fresnel::None, _) => "no Fresnel".to_string(),
         (_, Eta::Fixed(eta)) => format!("η = {} fixed", number(eta)),
         (_, Eta::Solved) => "η solved".to_string(),
-    }
-}
-
-fn terrain(landscape: &Landscape) -> Terrain {
-    Terrain {
-        s: landscape.s.clone(),
-        alpha: landscape.alpha.clone(),
-        percent: landscape
-            .nodes
-            .iter()
-            .map(|node| 100.0 * node.error)
-            .collect(),
     }
 }
 

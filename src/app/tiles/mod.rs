@@ -21,9 +21,11 @@ mod sphere_error;
 mod zoom;
 
 pub use panes::{PANES, Pane};
+pub use scatter::combined_fits;
 
 use super::lessons::LookAt;
 use super::panels::lesson;
+use super::paper::PaperMsg;
 use super::state::State;
 use super::update::Msg;
 use egui_tiles::{Behavior, Container, Tile, TileId, Tree, UiResponse};
@@ -151,8 +153,17 @@ impl Tiles {
                 ui.weak("All tiles are closed. View > Reset layout brings them back.");
             });
         }
-        let probed = &mut false;
-        self.0.ui(&mut View { state, out, probed }, ui);
+        let (probed, pointed) = (&mut false, &mut None);
+        let mut view = View {
+            state,
+            out,
+            probed,
+            pointed,
+        };
+        self.0.ui(&mut view, ui);
+        if *pointed != state.views.pointed {
+            out.push(Msg::Paper(PaperMsg::Point(*pointed)));
+        }
         if !*probed && state.hovered.is_some() {
             out.push(Msg::Hover(None));
         }
@@ -163,10 +174,15 @@ struct View<'a> {
     state: &'a State,
     out: &'a mut Vec<Msg>,
     probed: &'a mut bool,
+    /// The view that the pointer is on.
+    pointed: &'a mut Option<Pane>,
 }
 
 impl Behavior<Pane> for View<'_> {
     fn pane_ui(&mut self, ui: &mut egui::Ui, _id: TileId, pane: &mut Pane) -> UiResponse {
+        if ui.rect_contains_pointer(ui.max_rect()) {
+            *self.pointed = Some(*pane);
+        }
         egui::Frame::new().inner_margin(8.0).show(ui, |ui| {
             // Two tiles may have one kind of control.
             ui.push_id(pane.row().key, |ui| {

@@ -17,6 +17,7 @@ use std::path::PathBuf;
 
 /// A material with a fit of the combined model.
 struct Row {
+    brdf: Brdf,
     dot: ScatterDot,
     error: f64,
     /// Shows it.
@@ -29,6 +30,13 @@ enum Place {
     Open(usize),
     /// In a file of the folder.
     File(PathBuf),
+}
+
+/// Every material with a fit of the combined model: its name, the fit, its colour.
+pub fn combined_fits(state: &State) -> Vec<(String, Brdf, Role)> {
+    let rows = rows(state).into_iter();
+    rows.map(|row| (row.dot.name, row.brdf, row.dot.ring.unwrap_or(row.dot.fill)))
+        .collect()
 }
 
 /// Draws the tile.
@@ -51,7 +59,10 @@ pub fn scatter_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool 
         let at = at - rect.min;
         plot.dot_at([at.x, at.y])
     });
-    if let Some(Row { dot, error, place }) = pointed.and_then(|index| rows.get(index)) {
+    if let Some(Row {
+        dot, error, place, ..
+    }) = pointed.and_then(|index| rows.get(index))
+    {
         ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
         if response.clicked() {
             out.push(match place {
@@ -92,6 +103,7 @@ fn rows(state: &State) -> Vec<Row> {
         };
         let series = Role::Series(index);
         rows.push(Row {
+            brdf,
             dot: ScatterDot {
                 name: material.name.clone(),
                 s: brdf.params.s,
@@ -113,6 +125,7 @@ fn rows(state: &State) -> Vec<Row> {
             continue;
         };
         rows.push(Row {
+            brdf,
             dot: ScatterDot {
                 name: files::material_name(&file.path),
                 s: brdf.params.s,

@@ -19,6 +19,7 @@ pub use spec::{
     ErrorMapSpec, LandscapePanel, Lobe3dSpec, PageSpec, PanelSpec, RowSpec, SphereShow, SphereSpec,
     ViewSpec,
 };
+pub use sphere::only_sphere;
 pub use style::{COLUMNS, INKS, Inks, SAME_AXES, SameAxes, Style};
 
 use super::landscape::Terrain;

@@ -1,13 +1,15 @@
 //! A sphere on paper: a picture, and words and a bar that say what it is.
 
 use super::panel::{Drawn, Input};
-use super::{SphereShow, SphereSpec};
+use super::{PageSpec, SphereShow, SphereSpec, ViewSpec};
 use crate::figure::drawing::{Anchor, Drawing, Item, Label, font_size};
 use crate::figure::palette::Role;
 use crate::figure::sphere_image::{
     PIXEL, SphereSource, error_colors, error_names, error_ticks, error_unit, render,
 };
+use crate::figure::subject::{Look, Source, Subject};
 use crate::figure::text::RichText;
+use crate::geom::sphere::SphereView;
 use crate::geom::sphere_error::SphereError;
 
 /// Pixels on a side at most.
@@ -80,8 +82,28 @@ fn drawn(drawing: Drawing) -> Drawn {
     }
 }
 
+/// What the sphere of a page shows that has nothing else on it.
+pub fn only_sphere(page: &PageSpec, subjects: &[Subject]) -> Option<(SphereSource, SphereView)> {
+    let mut panels = page.rows.iter().flat_map(|row| &row.panels);
+    let (Some(panel), None) = (panels.next(), panels.next()) else {
+        return None;
+    };
+    let ViewSpec::Sphere(spec) = &panel.view else {
+        return None;
+    };
+    let of_panel = || panel.subjects.iter().filter_map(|at| subjects.get(*at));
+    let of = |measured| {
+        let found = of_panel().find(|s| (s.look == Look::Measured) == measured);
+        found.map(|subject| subject.source.clone())
+    };
+    Some((source_of(spec, of)?, spec.view.clone()))
+}
+
 fn source(spec: &SphereSpec, input: &Input) -> Option<SphereSource> {
-    let of = |measured| input.source(measured).cloned();
+    source_of(spec, |measured| input.source(measured).cloned())
+}
+
+fn source_of(spec: &SphereSpec, of: impl Fn(bool) -> Option<Source>) -> Option<SphereSource> {
     Some(match spec.show {
         SphereShow::Measured => SphereSource::One(of(true)?),
         SphereShow::Model => SphereSource::One(of(false)?),

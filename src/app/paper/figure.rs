@@ -1,0 +1,316 @@
+//! What the window shows as a figure: the same views of the same subjects.
+
+use crate::app::state::{Material, Opened, Origin, Show, State};
+use crate::app::subjects::{Subjects, What};
+use crate::app::tiles::{Pane, combined_fits};
+use crate::app::views::landscape::{path, place};
+use crate::app::views::slices::through;
+use crate::brdf::Fresnel;
+use crate::export::{FigureSpec, SubjectLook, SubjectSource, SubjectSpec};
+use crate::figure::lobes::LobeSpec;
+use crate::figure::page::{
+    ErrorMapSpec, LandscapePanel, Lobe3dSpec, PageSpec, PanelSpec, RowSpec, SphereShow, SphereSpec,
+    Style, ViewSpec,
+};
+use crate::figure::palette::Role;
+use crate::figure::subject::{Look, Source};
+use crate::measured::{SAMPLES, Table};
+use std::sync::Arc;
+
+/// A figure with the data that it is drawn from.
+#[derive(Clone, Debug)]
+pub struct Drawable {
+    /// The figure.
+    pub spec: FigureSpec,
+    /// The data of its measured subjects.
+    pub tables: Vec<(SubjectSource, Arc<Table>)>,
+}
+
+impl PartialEq for Drawable {
+    /// The spec names its data.
+    fn eq(&self, other: &Self) -> bool {
+        self.spec == other.spec
+    }
+}
+
+/// Whether a tile shows something that a figure can show.
+pub fn can_draw(state: &State, pane: Pane) -> bool {
+    let Some((material, _)) = state.current() else {
+        return false;
+    };
+    let has_data = material.table.valid_count() > 0;
+    match pane {
+        Pane::Fits => false,
+        Pane::ErrorMap | Pane::Landscape => has_data,
+        Pane::Scatter => !combined_fits(state).is_empty(),
+        Pane::Sphere | Pane::Lobes | Pane::Slices | Pane::Albedo | Pane::Lobe3d | Pane::Image => {
+            true
+        }
+    }
+}
+
+/// The figure of some tiles, `columns` beside each other; `None` where nothing can be drawn.
+pub fn figure_of(state: &State, panes: &[Pane], columns: usize, style: &Style) -> Option<Drawable> {
+    let mut maker = Maker::new(state)?;
+    let panels: Vec<PanelSpec> = panes
+        .iter()
+        .filter(|pane| can_draw(state, **pane))
+        .flat_map(|pane| maker.panels(*pane))
+        .collect();
+    if panels.is_empty() {
+        return None;
+    }
+    let row = |panels: &[PanelSpec]| RowSpec {
+        panels: panels.to_vec(),
+        ..RowSpec::default()
+    };
+    let page = PageSpec {
+        rows: panels.chunks(columns.max(1)).map(row).collect(),
+        style: style.clone(),
+    };
+    Some(Drawable {
+        // As it is read back from its file, so that the file draws the same.
+        spec: FigureSpec::new(maker.subjects, page).settled(),
+        tables: maker.tables,
+    })
+}
+
+struct Maker<'a> {
+    state: &'a State,
+    opened: Opened,
+    subjects: Vec<SubjectSpec>,
+    tables: Vec<(SubjectSource, Arc<Table>)>,
+    /// Positions of the subjects of all plots.
+    plotted: Vec<usize>,
+    /// Positions of the data of the shown material and of the model over it.
+    shown: Vec<usize>,
+}
+
+impl<'a> Maker<'a> {
+    fn new(state: &'a State) -> Option<Self> {
+        let (shown, opened) = state.current()?;
+        let mut maker = Self {
+            state,
+            opened: *opened,
+            subjects: Vec::new(),
+            tables: Vec::new(),
+            plotted: Vec::new(),
+            shown: Vec::new(),
+        };
+        let all = Subjects::of(state);
+        for (subject, key) in all.list.iter().zip(&all.keys) {
+            let Some(material) = state.materials.get(&key.material) else {
+                continue;
+            };
+            let at = maker.subjects.len();
+            let source = match &subject.source {
+                Source::Measured(table, _) => {
+                    let Some(source) = source_of(state, material) else {
+                        continue;
+                    };
+                    maker.tables.push((source.clone(), Arc::clone(table)));
+                    source
+                }
+                Source::Model(brdf) => SubjectSource::Model(*brdf),
+                Source::Function(_) => continue,
+            };
+            maker.subjects.push(SubjectSpec {
+                label: subject.label.clone(),
+                look: Some(subject.look.into()),
+                series: subject.series,
+                source,
+            });
+            if !subject.hidden {
+                maker.plotted.push(at);
+            }
+            let own = key.material == opened.id && !matches!(key.what, What::Fit(_));
+            if own && std::ptr::eq(material, shown) {
+                maker.shown.push(at);
+            }
+        }
+        Some(maker)
+    }
+
+    fn panels(&mut self, pane: Pane) -> Vec<PanelSpec> {
+        let scene = &self.state.scene;
+        let shown = self.shown.clone();
+        let of = |view: ViewSpec, subjects: &[usize]| PanelSpec {
+            heading: None,
+            subjects: subjects.to_vec(),
+            view,
+        };
+        match pane {
+            Pane::Sphere => {
+                let sphere = |show| {
+                    let spec = SphereSpec {
+                        view: scene.sphere.view.clone(),
+                        show,
+                        split: scene.sphere.split,
+                    };
+                    of(ViewSpec::Sphere(spec), &shown)
+                };
+                let shows = match scene.sphere.show {
+                    Show::Measured => vec![SphereShow::Measured],
+                    Show::Model => vec![SphereShow::Model],
+                    Show::Split => vec![SphereShow::Split],
+                    Show::SideBySide => vec![SphereShow::Measured, SphereShow::Model],
+                    Show::Error(error) => vec![SphereShow::Split, SphereShow::Error(error)],
+                };
+                shows.into_iter().map(sphere).collect()
+            }
+            Pane::Lobes => {
+                let tile = &scene.lobes;
+                let spec = LobeSpec {
+                    theta_i: tile.theta_i.clone(),
+                    active: tile.active,
+                    scale: tile.scale,
+                    with_cosine: tile.with_cosine,
+                    channel: tile.channel,
+                    ..LobeSpec::default()
+                };
+                vec![of(ViewSpec::Lobes(spec), &self.plotted)]
+            }
+            Pane::Slices => {
+                let view = &scene.slices;
+                let probe = self.state.probe().filter(|_| view.follow);
+                let spec = probe.map_or_else(|| view.spec.clone(), |p| through(&view.spec, p));
+                vec![of(ViewSpec::Slices(spec), &self.plotted)]
+            }
+            Pane::Albedo => {
+                let spec = scene.albedo.spec.clone();
+                vec![of(ViewSpec::Albedo(spec), &self.plotted)]
+            }
+            Pane::Lobe3d => {
+                let view = &scene.lobe3d;
+                let spec = Lobe3dSpec {
+                    theta_i: self.state.probe().map_or(view.theta_i, |p| p.theta_i()),
+                    scale: view.scale,
+                    with_cosine: view.with_cosine,
+                    channel: view.channel,
+                    camera: view.camera,
+                };
+                vec![of(ViewSpec::Lobe3d(spec), &self.plotted)]
+            }
+            Pane::Image => {
+                let spec = scene.image.spec(None);
+                vec![of(ViewSpec::ImageSlice(spec), &shown)]
+            }
+            Pane::ErrorMap => {
+                let (view, settings) = (&scene.error_map, &self.state.fit.settings);
+                let spec = ErrorMapSpec {
+                    plane: view.plane,
+                    scale: view.scale,
+                    view: view.view,
+                    weight: settings.weight.key().into(),
+                    limit: settings.limit,
+                };
+                vec![of(ViewSpec::ErrorMap(spec), &shown)]
+            }
+            Pane::Landscape => vec![of(ViewSpec::Landscape(self.landscape()), &shown)],
+            Pane::Scatter => vec![of(ViewSpec::Scatter, &self.dots())],
+            Pane::Fits => Vec::new(),
+        }
+    }
+
+    fn landscape(&self) -> LandscapePanel {
+        let (brdf, settings) = (self.opened.brdf, &self.state.fit.settings);
+        let view = &self.state.scene.landscape;
+        let solved = view.solve_eta && brdf.fresnel != Fresnel::None;
+        LandscapePanel {
+            fresnel: brdf.fresnel.key().into(),
+            eta: (!solved).then_some(brdf.params.eta),
+            weight: settings.weight.key().into(),
+            limit: settings.limit,
+            path: path(self.state),
+            here: Some(place(&brdf)),
+            view: view.view,
+        }
+    }
+
+    /// Every material with a combined fit, in the colours of the tile as far as paper has them.
+    fn dots(&mut self) -> Vec<usize> {
+        let fits = combined_fits(self.state);
+        let first = self.subjects.len();
+        let specs = fits.into_iter().map(|(name, brdf, role)| SubjectSpec {
+            label: name,
+            look: Some(SubjectLook::from(Look::Model)),
+            series: match role {
+                Role::Series(series) => series,
+                _ => 0,
+            },
+            source: SubjectSource::Model(brdf),
+        });
+        self.subjects.extend(specs);
+        (first..self.subjects.len()).collect()
+    }
+}
+
+/// Where the data of a material come from.
+fn source_of(state: &State, material: &Material) -> Option<SubjectSource> {
+    let lookup = state.scene.lookup;
+    match (&material.origin, &material.source) {
+        (Origin::Sample(index), _) => Some(SubjectSource::Sample {
+            key: SAMPLES.get(*index)?.key.into(),
+            lookup,
+        }),
+        (Origin::File(_), Some(file)) => Some(SubjectSource::Measured {
+            file: file.clone(),
+            lookup,
+        }),
+        (Origin::File(_), None) => None,
+    }
+}
+
+/// What a figure of some tiles is called: material, plot, angles, model, scale.
+pub fn default_name(state: &State, panes: &[Pane]) -> String {
+    let Some((material, opened)) = state.current() else {
+        return "figure".into();
+    };
+    let scene = &state.scene;
+    let mut words = vec![material.name.clone()];
+    let angles = |theta_i: &[f64]| {
+        let degrees = theta_i.iter().map(|t| format!("{:.0}", t.to_degrees()));
+        format!("thi{}", degrees.collect::<Vec<_>>().join("-"))
+    };
+    let model = opened.brdf.model.key.to_string();
+    match panes {
+        [pane] => {
+            words.push(pane.row().key.into());
+            match pane {
+                Pane::Lobes => {
+                    words.push(angles(&scene.lobes.theta_i));
+                    words.extend([model, scene.lobes.scale.key().into()]);
+                }
+                Pane::Slices => {
+                    let spec = &scene.slices.spec;
+                    words.push(match spec.over {
+                        crate::figure::slices::Over::ThetaO => angles(&spec.theta_i),
+                        over => over.key().into(),
+                    });
+                    words.extend([model, spec.scale.key().into()]);
+                }
+                Pane::Lobe3d => {
+                    words.push(angles(&[scene.lobe3d.theta_i]));
+                    words.extend([model, scene.lobe3d.scale.key().into()]);
+                }
+                Pane::Image => {
+                    let view = &scene.image;
+                    words.push(format!("phd{:.0}", view.phi_d.to_degrees()));
+                    words.push(view.shown.key().into());
+                    words.extend([model, view.scale.key().into()]);
+                }
+                Pane::Scatter => words = vec!["materials_scatter".into()],
+                _ => words.push(model),
+            }
+        }
+        _ => words.extend(["figure".into(), model]),
+    }
+    let plain = |c: char| {
+        if c.is_alphanumeric() || "-_.".contains(c) {
+            c
+        } else {
+            '-'
+        }
+    };
+    words.join("_").chars().map(plain).collect()
+}

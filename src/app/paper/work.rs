@@ -1,0 +1,192 @@
+//! Drawing figures on threads of their own: for the preview, for files and for the clipboard.
+
+use super::PaperTask;
+use super::figure::Drawable;
+use crate::app::derived::{Derived, Slot, Step, Wish};
+use crate::app::jobs::Outbox;
+use crate::app::state::Level;
+use crate::app::tasks::{Picker, SavePicker, ask_and_do, in_thread};
+use crate::app::update::Msg;
+use crate::app::views::background::in_background;
+use crate::export::{
+    ExportError, FigureSpec, Format, Prepared, SubjectSource, prepare, spec_beside, write_figure,
+};
+use crate::figure::page::Page;
+use crate::figure::write::POINTS_PER_MM;
+use crate::figure::write::raster::{Pixels, pixels};
+use crate::files::FileError;
+use crate::measured::Table;
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// Pictures in a preview have this many pixels to the inch at most: it is there sooner.
+const PREVIEW_DPI: f64 = 110.0;
+
+/// The preview of a figure on the screen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PreviewWish {
+    /// The figure.
+    pub drawable: Drawable,
+    /// Pixels to the inch of the paper.
+    pub dpi: f64,
+}
+
+/// A figure as it will be written.
+#[derive(Debug)]
+pub struct Sheet {
+    /// The paper.
+    pub pixels: Pixels,
+    /// Width and height in millimetres.
+    pub size_mm: [f64; 2],
+    /// How many rows of numbers it has.
+    pub numbers: usize,
+}
+
+impl Wish for PreviewWish {
+    type Made = Result<Sheet, String>;
+    const ENDS_FIRST: bool = true;
+
+    fn slot(derived: &mut Derived) -> &mut Slot<Self> {
+        &mut derived.preview
+    }
+
+    fn make(
+        &self,
+        follow: &mut dyn FnMut(Step<Self::Made>) -> ControlFlow<()>,
+    ) -> Option<Self::Made> {
+        let mut drawable = self.drawable.clone();
+        let style = &mut drawable.spec.style;
+        style.dpi = style.dpi.min(PREVIEW_DPI);
+        let mut go_on = || follow(Step::Progress(0.5));
+        match in_background_drawn(&drawable, &mut go_on) {
+            Err(ExportError::Stopped) => None,
+            Err(error) => Some(Err(error.to_string())),
+            Ok(page) => Some(self.sheet(&page)),
+        }
+    }
+}
+
+impl PreviewWish {
+    fn sheet(&self, page: &Page) -> Result<Sheet, String> {
+        let mm = |points: f32| f64::from(points) / POINTS_PER_MM;
+        Ok(Sheet {
+            pixels: pixels(&page.paper, self.dpi).map_err(|error| error.to_string())?,
+            size_mm: page.paper.drawing.size.map(mm),
+            numbers: page.table.rows.len(),
+        })
+    }
+}
+
+fn in_background_drawn(
+    drawable: &Drawable,
+    go_on: &mut dyn FnMut() -> ControlFlow<()>,
+) -> Result<Page, ExportError> {
+    let prepared = prepared(drawable, go_on)?;
+    in_background(|| drawable.spec.draw(&prepared))
+}
+
+fn prepared(
+    drawable: &Drawable,
+    go_on: &mut dyn FnMut() -> ControlFlow<()>,
+) -> Result<Prepared, ExportError> {
+    let mut table = |source: &SubjectSource| -> Result<Arc<Table>, ExportError> {
+        let mut known = drawable.tables.iter();
+        let found = known.find(|(other, _)| other == source);
+        let missing = || ExportError::Other("the data are no longer in memory".into());
+        found
+            .map(|(_, table)| Arc::clone(table))
+            .ok_or_else(missing)
+    };
+    prepare(&drawable.spec, &mut table, go_on)
+}
+
+fn drawn(drawable: &Drawable) -> Result<Page, ExportError> {
+    in_background_drawn(drawable, &mut || ControlFlow::Continue(()))
+}
+
+/// Starts a task. None waits here.
+pub fn start(task: PaperTask, ctx: &egui::Context, outbox: &Outbox, picker: &Picker) {
+    match task {
+        PaperTask::Export(drawable, format, name) => {
+            export(drawable, format, name, outbox, &picker.save);
+        }
+        PaperTask::CopyPicture(drawable, view) => copy_picture(drawable, view, ctx, outbox),
+        PaperTask::CopyNumbers(drawable, view) => copy_numbers(drawable, view, ctx, outbox),
+    }
+}
+
+/// Asks where to, and writes a figure and its spec there.
+fn export(
+    drawable: Drawable,
+    format: Format,
+    name: PathBuf,
+    outbox: &Outbox,
+    save: &Arc<SavePicker>,
+) {
+    let name = name.display().to_string();
+    ask_and_do(outbox, save, name, move |path| {
+        // The name may say another format than the dialog.
+        let format = Format::of_path(&path).unwrap_or(format);
+        let path = match path.extension() {
+            Some(_) => path,
+            None => path.with_extension(format.extension()),
+        };
+        let beside = spec_beside(&path);
+        if beside.is_file() && FigureSpec::open(&beside).is_err() {
+            let what = "a file with the name of the figure's spec is there and is no figure; choose another name";
+            return Err(FileError::new(&beside, what).to_string());
+        }
+        let go_on = &mut || ControlFlow::Continue(());
+        // The dialog has asked about an existing file.
+        let write = |prepared: Prepared| {
+            let figure = (&drawable.spec, &prepared);
+            in_background(|| write_figure(&path, format, figure, true, None))
+        };
+        prepared(&drawable, go_on)
+            .and_then(write)
+            .map_err(|error| error.to_string())?;
+        Ok(path)
+    });
+}
+
+/// Puts the picture of a figure on the clipboard.
+fn copy_picture(drawable: Drawable, view: &'static str, ctx: &egui::Context, outbox: &Outbox) {
+    let ctx = ctx.clone();
+    on_clipboard(drawable, view, "picture", outbox, move |drawable, page| {
+        let found = pixels(&page.paper, drawable.spec.style.dpi);
+        let found = found.map_err(|error| error.to_string())?;
+        let size = [found.width as usize, found.height as usize];
+        ctx.copy_image(egui::ColorImage::from_rgba_unmultiplied(size, &found.rgba));
+        Ok(())
+    });
+}
+
+/// Puts the numbers of a figure on the clipboard, with tabs between them.
+fn copy_numbers(drawable: Drawable, view: &'static str, ctx: &egui::Context, outbox: &Outbox) {
+    let ctx = ctx.clone();
+    on_clipboard(drawable, view, "numbers", outbox, move |_, page| {
+        if page.table.rows.is_empty() {
+            return Err("this view has no numbers to copy; copy its picture".into());
+        }
+        ctx.copy_text(page.table.text('\t'));
+        Ok(())
+    });
+}
+
+fn on_clipboard(
+    drawable: Drawable,
+    view: &'static str,
+    what: &'static str,
+    outbox: &Outbox,
+    put: impl FnOnce(&Drawable, &Page) -> Result<(), String> + Send + 'static,
+) {
+    let told = outbox.clone();
+    in_thread(outbox, "copy", move || {
+        let page = drawn(&drawable).map_err(|error| error.to_string());
+        told.send(match page.and_then(|page| put(&drawable, &page)) {
+            Ok(()) => Msg::Notify(Level::Info, format!("Copied the {what} of {view}")),
+            Err(reason) => Msg::Notify(Level::Error, format!("{view}: {reason}")),
+        });
+    });
+}
