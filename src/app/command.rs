@@ -30,6 +30,8 @@ pub enum Command {
     OpenRecent(usize),
     ClearRecent,
     Close,
+    SaveSession,
+    SaveSessionAs,
     SavePicture,
     Quit,
     Undo,

@@ -4,6 +4,7 @@ use super::command::Command;
 use super::fitting::{FitMsg, Settings, steps};
 use super::lessons;
 use super::library::{LibraryMsg, LibraryTask, fit_run, show};
+use super::session;
 use super::state::{Dialog, Origin, State};
 use super::tiles::Tiles;
 use super::update::{Msg, Task, apply, edit, edit_brdf, load};
@@ -31,6 +32,8 @@ pub(super) fn run(state: &mut State, command: Command) -> Vec<Task> {
             let selected = state.scene.selected;
             return apply(state, Msg::Close(selected));
         }
+        Command::SaveSession => return session::save(state, false),
+        Command::SaveSessionAs => return session::save(state, true),
         Command::SavePicture => return vec![Task::SavePicture],
         Command::Quit => return vec![Task::Quit],
         Command::Undo => {

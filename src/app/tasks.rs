@@ -3,9 +3,11 @@
 use super::fitting::work::Fitter;
 use super::jobs::{self, Outbox, Queue};
 use super::library;
+use super::session;
 use super::state::Level;
 use super::update::{Msg, Task};
 use crate::files;
+use crate::files::session::ENDING;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
@@ -35,7 +37,7 @@ impl Picker {
             open: Arc::new(|| {
                 rfd::FileDialog::new()
                     .set_title("Open materials")
-                    .add_filter("MERL and fit files", &["binary", "json"])
+                    .add_filter("MERL, fit files and sessions", &["binary", "json"])
                     .add_filter("All files", &["*"])
                     .pick_files()
                     .unwrap_or_default()
@@ -46,7 +48,9 @@ impl Picker {
                     .pick_folder()
             }),
             save: Arc::new(|name| {
-                let (title, filter, extension) = if name.ends_with(".json") {
+                let (title, filter, extension) = if name.ends_with(ENDING) {
+                    ("Save session", "Session", "json")
+                } else if name.ends_with(".json") {
                     ("Save fits", "Fit file", "json")
                 } else {
                     ("Save picture", "PNG picture", "png")
@@ -89,6 +93,7 @@ pub fn start(
         Task::Fit(task) => fitter.fit(task),
         Task::Resolve(resolve) => fitter.resolve(resolve),
         Task::Library(task) => library::start(task, outbox, picker),
+        Task::Session(task) => session::start(task, outbox, picker),
         Task::Derive(work) => {
             let outbox = outbox.clone();
             in_thread(&outbox.clone(), "view", move || work.run(&outbox));

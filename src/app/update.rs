@@ -10,12 +10,14 @@ use super::opening::forget_unreachable;
 pub(super) use super::opening::{add_material, add_material_at, load, load_with};
 use super::probe::Probe;
 use super::run_command;
+use super::session::{self, SessionMsg, SessionTask};
 use super::state::{CancelFlag, Level, LobeTile, Notice, Origin, Scene, SphereTile, State};
 use super::subjects::{self, SubjectKey, Subjects};
 use super::views::{AlbedoView, ErrorMapView, ImageView, LandscapeView, Lobe3dView, SlicesView};
 use crate::brdf::{Brdf, ParamId, Params};
 use crate::files::SourceFile;
 use crate::files::fits::MaterialFits;
+use crate::files::session::has_ending;
 use crate::fit::start;
 use crate::geom::color::luminance;
 use crate::measured::Table;
@@ -70,6 +72,8 @@ pub enum Msg {
     Fit(FitMsg),
     /// Something about the folder and memory.
     Library(LibraryMsg),
+    /// Something about sessions.
+    Session(SessionMsg),
     /// Change the sphere tile.
     SetSphere(SphereTile),
     /// Change the lobe tile.
@@ -159,6 +163,8 @@ pub enum Task {
     Resolve(Resolve),
     /// Look at a folder, fit it, or ask for one.
     Library(LibraryTask),
+    /// Write a session, or ask where something is.
+    Session(SessionTask),
     /// Make what a view wishes for.
     Derive(Work),
     /// Ask for files to open.
@@ -181,7 +187,9 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
 fn change(state: &mut State, msg: Msg) -> Vec<Task> {
     match msg {
         Msg::Run(command) => return run_command::run(state, command),
-        Msg::OpenFiles(paths) => {
+        Msg::OpenFiles(mut paths) => {
+            // A session takes the place of what is open; what comes with it is added.
+            paths.sort_by_key(|path| !has_ending(path));
             return paths
                 .into_iter()
                 .map(|path| load(state, Origin::File(path)))
@@ -261,6 +269,7 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
         Msg::EndLesson => state.lesson = None,
         Msg::Fit(msg) => return steps::apply(state, msg),
         Msg::Library(msg) => return library::steps::apply(state, msg),
+        Msg::Session(msg) => return session::apply(state, msg),
         Msg::SetSphere(sphere) => edit(state, |scene| scene.sphere = sphere),
         Msg::SetLobes(lobes) => edit(state, |scene| scene.lobes = lobes),
         Msg::SetSlices(slices) => edit(state, |scene| scene.slices = slices),

@@ -21,12 +21,20 @@ pub fn window(files: Vec<PathBuf>, to_open: Vec<PathBuf>) -> Window {
         folder: Arc::new(|| None),
         save: Arc::new(|_| None),
     };
+    window_with(Options {
+        files,
+        picker,
+        autosave: None,
+    })
+}
+
+pub fn window_with(options: Options) -> Window {
     let mut window = Harness::builder()
         .with_size([1280.0, 800.0])
         .with_step_dt(0.03)
         .with_theme(egui::Theme::Dark)
         .wgpu()
-        .build_eframe(move |cc| App::new(cc, Options { files, picker }).expect("a renderer"));
+        .build_eframe(move |cc| App::new(cc, options).expect("a renderer"));
     settle(&mut window, |state| state.jobs.is_empty());
     window
 }

@@ -33,7 +33,7 @@ pub(super) fn entries() -> Vec<Entry> {
         Command::Open,
         "Open…",
         Some((CTRL, Key::O)),
-        "Open MERL files, fit files or models",
+        "Open MERL files, fit files, models or a session",
     );
     add(
         "File",
@@ -60,6 +60,22 @@ pub(super) fn entries() -> Vec<Entry> {
         "Close material",
         Some((CTRL, Key::W)),
         "Close the shown material",
+    );
+    add(
+        "File",
+        "",
+        Command::SaveSession,
+        "Save session…",
+        Some((CTRL, Key::S)),
+        "Save what is open, with models, fits, views and layout; asks where at the first time",
+    );
+    add(
+        "File",
+        "",
+        Command::SaveSessionAs,
+        "Save session as…",
+        None,
+        "Save what is open to another session file",
     );
     add(
         "File",
