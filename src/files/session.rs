@@ -175,7 +175,10 @@ mod tests {
         };
         let expected = ["/data/c.binary", "/far/away/c.binary", "/here/c.binary"];
         assert_eq!(places(Some("../data/c.binary")), expected);
-        assert_eq!(places(Some("c.binary")), ["/here/c.binary", "/far/away/c.binary"]);
+        assert_eq!(
+            places(Some("c.binary")),
+            ["/here/c.binary", "/far/away/c.binary"]
+        );
         assert_eq!(places(None), ["/far/away/c.binary", "/here/c.binary"]);
     }
 

@@ -38,7 +38,10 @@ fn window(ctx: &egui::Context, title: &str, content: impl FnOnce(&mut egui::Ui))
 
 fn crashed_ui(ui: &mut egui::Ui, crashed: &Crashed, out: &mut Vec<Msg>) {
     let when = crashed.age.map(|age| format!(", kept {}", ago(age)));
-    ui.label(format!("Restore what was open{}?", when.unwrap_or_default()));
+    ui.label(format!(
+        "Restore what was open{}?",
+        when.unwrap_or_default()
+    ));
     ui.add_space(6.0);
     ui.horizontal(|ui| {
         if ui.button("Restore").clicked() {
@@ -53,7 +56,9 @@ fn crashed_ui(ui: &mut egui::Ui, crashed: &Crashed, out: &mut Vec<Msg>) {
 fn missing_ui(ui: &mut egui::Ui, state: &State, missing: &Missing, out: &mut Vec<Msg>) {
     ui.label("Its models and fits are open without its data. It was looked for at");
     for path in &missing.tried {
-        ui.add(egui::Label::new(egui::RichText::new(path.display().to_string()).monospace()).wrap());
+        ui.add(
+            egui::Label::new(egui::RichText::new(path.display().to_string()).monospace()).wrap(),
+        );
     }
     let others = state.all_asked_for().count().saturating_sub(1);
     if others > 0 {

@@ -83,7 +83,10 @@ impl Autosave {
             .map_err(cannot)?;
         new.as_file().lock().map_err(cannot)?;
         let lock_path = new.path().with_extension("lock");
-        let file = PathBuf::from(format!("{}{ENDING}", new.path().with_extension("").display()));
+        let file = PathBuf::from(format!(
+            "{}{ENDING}",
+            new.path().with_extension("").display()
+        ));
         let lock = new
             .persist(&lock_path)
             .map_err(|error| cannot(error.error))?;
@@ -177,7 +180,10 @@ fn remove_restored(files: &[PathBuf]) {
 /// The lock beside an autosaved file.
 fn lock_of(file: &Path) -> PathBuf {
     let name = file.to_string_lossy();
-    PathBuf::from(format!("{}.lock", name.strip_suffix(ENDING).unwrap_or(&name)))
+    PathBuf::from(format!(
+        "{}.lock",
+        name.strip_suffix(ENDING).unwrap_or(&name)
+    ))
 }
 
 /// The locks of runs that are gone, now held by this one, and what they have left, the newest first.
@@ -212,9 +218,10 @@ fn runs_before(folder: &Path) -> io::Result<(Vec<File>, Vec<Crashed>)> {
 fn is_worth_keeping(state: &State) -> bool {
     state.history.can_undo()
         || state.session.files.contains_key(&state.scene.session)
-        || state.materials.values().any(|material| {
-            matches!(material.origin, Origin::File(_)) || !material.fits.is_empty()
-        })
+        || state
+            .materials
+            .values()
+            .any(|material| matches!(material.origin, Origin::File(_)) || !material.fits.is_empty())
 }
 
 /// What a session is made of, to see whether it has changed.

@@ -243,8 +243,11 @@ impl SessionFile {
     }
 }
 
-/// With sorted keys: the layout has them in no order.
+/// With sorted keys, as the layout has them in no order, and without a counter that depends on what was before.
 fn sorted<S: Serializer>(layout: &Option<Tiles>, serializer: S) -> Result<S::Ok, S::Error> {
-    let value = serde_json::to_value(layout).map_err(serde::ser::Error::custom)?;
+    let mut value = serde_json::to_value(layout).map_err(serde::ser::Error::custom)?;
+    if let Some(next) = value.pointer_mut("/tree/tiles/next_tile_id") {
+        *next = json!(1);
+    }
     value.serialize(serializer)
 }

@@ -254,7 +254,10 @@ pub(super) fn located(state: &mut State, found: Vec<(MaterialId, PathBuf)>) -> V
 /// Opens what the last run has left.
 pub(super) fn restore(state: &mut State) -> Vec<Task> {
     // The others are offered at the next start.
-    let Some(crashed) = std::mem::take(&mut state.session.crashed).into_iter().next() else {
+    let Some(crashed) = std::mem::take(&mut state.session.crashed)
+        .into_iter()
+        .next()
+    else {
         return Vec::new();
     };
     state.session.restoring = Some(crashed.file.clone());

@@ -46,9 +46,9 @@ pub(in crate::app) fn start(task: SessionTask, outbox: &Outbox, picker: &Picker)
             in_thread(outbox, "open dialog", move || {
                 let asked = Instant::now();
                 match open().into_iter().next() {
-                    Some(path) => told.send(Msg::Session(SessionMsg::Located(beside(
-                        &path, wanted,
-                    )))),
+                    Some(path) => {
+                        told.send(Msg::Session(SessionMsg::Located(beside(&path, wanted))))
+                    }
                     None if asked.elapsed() < NO_DIALOG => told.send(no_dialog()),
                     None => {}
                 }

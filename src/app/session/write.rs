@@ -97,10 +97,7 @@ fn material(state: &State, opened: &Opened) -> Option<SavedMaterial> {
     })
 }
 
-fn hidden(
-    key: SubjectKey,
-    position: impl Fn(MaterialId) -> Option<usize>,
-) -> Option<SavedKey> {
+fn hidden(key: SubjectKey, position: impl Fn(MaterialId) -> Option<usize>) -> Option<SavedKey> {
     Some(SavedKey {
         material: position(key.material)?,
         what: match key.what {
