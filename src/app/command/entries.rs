@@ -64,22 +64,6 @@ pub(super) fn entries() -> Vec<Entry> {
     add(
         "File",
         "",
-        Command::SaveSession,
-        "Save session…",
-        Some((CTRL, Key::S)),
-        "Save what is open, with models, fits, views and layout; asks where at the first time",
-    );
-    add(
-        "File",
-        "",
-        Command::SaveSessionAs,
-        "Save session as…",
-        None,
-        "Save what is open to another session file",
-    );
-    add(
-        "File",
-        "",
         Command::SavePicture,
         "Save picture…",
         Some((CTRL_SHIFT, Key::S)),

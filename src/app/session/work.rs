@@ -47,7 +47,8 @@ pub(in crate::app) fn start(task: SessionTask, outbox: &Outbox, picker: &Picker)
                 let asked = Instant::now();
                 match open().into_iter().next() {
                     Some(path) => {
-                        told.send(Msg::Session(SessionMsg::Located(beside(&path, wanted))))
+                        let found = beside(&path, wanted);
+                        told.send(Msg::Session(SessionMsg::Located(found)));
                     }
                     None if asked.elapsed() < NO_DIALOG => told.send(no_dialog()),
                     None => {}

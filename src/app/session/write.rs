@@ -120,10 +120,12 @@ fn fitting(fit: &FitState) -> SavedFitting {
         weight: settings.weight,
         limit: settings.limit,
         stages: stages
-            .filter_map(|(stage, runs)| runs.then_some(stage.number()))
+            .filter(|(_, runs)| *runs)
+            .map(|(stage, _)| stage.number())
             .collect(),
         held: held
-            .filter_map(|(row, held)| held.then(|| row.key.into()))
+            .filter(|(_, held)| *held)
+            .map(|(row, _)| row.key.into())
             .collect(),
         bounds: bounds
             .filter_map(|(row, ends)| Some((row.key.into(), ends?)))

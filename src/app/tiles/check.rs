@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 const MOST: usize = 200;
 
 /// The same tree under our id and with nothing that hangs beside it.
-pub(super) fn checked(tree: Tree<Pane>) -> Result<Tree<Pane>, String> {
+pub(super) fn checked(tree: &Tree<Pane>) -> Result<Tree<Pane>, String> {
     let Some(root) = tree.root else {
         return Ok(Tree::empty(tree_id()));
     };
@@ -67,7 +67,8 @@ mod tests {
         let read = |value: &Value| serde_json::from_value::<Tiles>(value.clone());
         assert_eq!(read(&good).expect("good"), Tiles::default());
         let root = good["tree"]["root"].clone();
-        let broken: [(&str, &dyn Fn(&mut Value)); 5] = [
+        type Break<'a> = &'a dyn Fn(&mut Value);
+        let broken: [(&str, Break); 5] = [
             ("no tree", &|v| {
                 let tile = &mut v["tree"]["tiles"]["tiles"][root.to_string()];
                 tile["Container"]["Linear"]["children"] = json!([root]);

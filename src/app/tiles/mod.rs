@@ -62,7 +62,7 @@ impl TryFrom<Saved> for Tiles {
         if saved.version != VERSION {
             return Err(format!("layout version {}", saved.version));
         }
-        check::checked(saved.tree).map(Self)
+        check::checked(&saved.tree).map(Self)
     }
 }
 
