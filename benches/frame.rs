@@ -158,6 +158,7 @@ fn app(
     let options = Options {
         files: vec![],
         picker: Picker::system(),
+        autosave: None,
     };
     let mut app = App::new(cc, options)?;
     match kind {

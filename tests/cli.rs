@@ -106,6 +106,19 @@ fn a_name_with_a_line_break_stays_on_one_line() {
 }
 
 #[test]
+fn a_session_is_named_where_models_or_data_are_wanted() {
+    let folder = Folder::new();
+    let path = folder.file(
+        "a.grazing.json",
+        r#"{"grazing_session": 1, "materials": []}"#,
+    );
+    let directions = folder.file("d.csv", "theta_i,phi_i,theta_o,phi_o\n0,0,0,0\n");
+    failed(&grazing(&[&"info", &path]), &path, "this is a session");
+    let eval = grazing(&[&"eval", &path, &"--directions", &directions]);
+    failed(&eval, &path, "this is a session");
+}
+
+#[test]
 fn info_counts_and_measures() {
     let folder = Folder::new();
     let mut bytes = merl(FOLDED, [1500.0; 3]);

@@ -32,6 +32,7 @@ fn window_of(theme: Theme, size: [f32; 2]) -> Harness<'static, App> {
                 Options {
                     files: vec![],
                     picker,
+                    autosave: None,
                 },
             )
             .expect("a renderer")

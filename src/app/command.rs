@@ -34,6 +34,8 @@ pub enum Command {
     Close,
     ExportModel(ModelFormat),
     ExportFigure,
+    SaveSession,
+    SaveSessionAs,
     SavePicture,
     Quit,
     Undo,

@@ -2,10 +2,11 @@
 
 use super::library::LibraryMsg;
 use super::open_fits;
+use super::session::{self, SessionMsg};
 use super::state::{CancelFlag, Level, Origin};
 use super::update::{Loaded, Msg};
 use crate::files::fits::{self, MaterialFits};
-use crate::files::{self, FileError};
+use crate::files::{self, FileError, Json};
 use crate::measured::Table;
 use crate::measured::samples::SAMPLES;
 use std::ops::ControlFlow;
@@ -116,6 +117,11 @@ pub fn load(
                     outbox.send(Msg::FitsRead { job, path, fits });
                     return;
                 }
+                (Ok(Found::Session(found)), _) => {
+                    let path = path.clone();
+                    outbox.send(Msg::Session(SessionMsg::Read { job, path, found }));
+                    return;
+                }
                 (Err(_), _) if cancel.is_set() => Err(None),
                 (Err(error), Some(fits)) => {
                     outbox.send(Msg::Notify(Level::Error, error.to_string()));
@@ -136,6 +142,7 @@ pub fn load(
 enum Found {
     Material(Box<Loaded>),
     Fits(Vec<MaterialFits>),
+    Session(Box<session::Found>),
     Folder,
 }
 
@@ -144,12 +151,18 @@ fn open_file(path: &Path, measured: bool, progress: files::Progress) -> Result<F
     if !measured && path.is_dir() {
         return Ok(Found::Folder);
     }
-    let entries = if measured {
+    let json = if measured {
         None
     } else {
-        files::open_models(path)?
+        files::open_json(path)?
     };
-    if let Some(entries) = entries {
+    if let Some(Json::Session(text)) = &json {
+        let found = session::find(path, text)?;
+        // Made here and not on the window's thread.
+        Table::unmeasured();
+        return Ok(Found::Session(Box::new(found)));
+    }
+    if let Some(Json::Models(entries)) = json {
         let fits = fits::by_material(path, entries);
         if fits.iter().any(|fits| fits.found.is_none()) {
             // Made here and not on the window's thread.

@@ -16,6 +16,7 @@ pub mod paper;
 mod prefs;
 pub mod probe;
 mod run_command;
+pub mod session;
 pub mod startup;
 pub mod state;
 pub mod subjects;
@@ -35,8 +36,9 @@ use jobs::{Outbox, Queue};
 use lessons::LookAt;
 use panels::library::library_ui;
 use panels::{dialogs, fit, lesson, menu, model, notices, status};
-use state::{Prefs, State, Theme};
-use std::path::PathBuf;
+use session::autosave::Autosave;
+use state::{Level, Prefs, State, Theme};
+use std::path::{Path, PathBuf};
 use std::sync::mpsc::Receiver;
 use tiles::Tiles;
 use update::{Msg, apply};
@@ -56,6 +58,8 @@ pub struct Options {
     pub files: Vec<PathBuf>,
     /// How a person is asked for files.
     pub picker: Picker,
+    /// The folder where what is open is kept for a crash; without one, nothing is.
+    pub autosave: Option<PathBuf>,
 }
 
 /// The program in its window.
@@ -67,7 +71,9 @@ pub struct App {
     fitter: Fitter,
     picker: Picker,
     adapter: String,
+    autosave: Option<Autosave>,
     shown_theme: Option<Theme>,
+    shown_title: String,
 }
 
 impl App {
@@ -95,7 +101,9 @@ impl App {
             fitter: Fitter::start(outbox)?,
             picker: options.picker,
             adapter: crate::gpu::adapter::describe(&render_state.adapter.get_info()),
+            autosave: None,
             shown_theme: None,
+            shown_title: "Grazing".into(),
         };
         if let Some(prefs) = cc
             .storage
@@ -109,6 +117,9 @@ impl App {
             .and_then(|storage| eframe::get_value::<Tiles>(storage, LAYOUT_KEY))
         {
             app.state.tiles = tiles;
+        }
+        if let Some(folder) = options.autosave {
+            app.keep_for_a_crash(&folder);
         }
         let first = match options.files {
             files if files.is_empty() => Msg::Run(command::Command::OpenSample(0)),
@@ -147,6 +158,24 @@ impl App {
         }
     }
 
+    fn keep_for_a_crash(&mut self, folder: &Path) {
+        match Autosave::start(folder) {
+            Ok((autosave, crashed)) => {
+                self.autosave = Some(autosave);
+                self.state.session.crashed = crashed;
+            }
+            Err(error) => update::notify(&mut self.state, Level::Error, error.to_string()),
+        }
+    }
+
+    fn title_ui(&mut self, ctx: &egui::Context) {
+        let title = self.state.title();
+        if title != self.shown_title {
+            ctx.send_viewport_cmd(egui::ViewportCommand::Title(title.clone()));
+            self.shown_title = title;
+        }
+    }
+
     fn panels_ui(&mut self, ui: &mut egui::Ui, out: &mut Vec<Msg>) {
         let state = &self.state;
         egui::Panel::top("menu").show(ui, |ui| menu::menu_ui(ui, state, out));
@@ -170,6 +199,7 @@ impl App {
         let state = &self.state;
         lesson::lesson_ui(ui.ctx(), state, out);
         notices::notices_ui(ui.ctx(), state, out);
+        panels::session::session_ui(ui.ctx(), state, out);
         dialogs::dialog_ui(ui.ctx(), state, &self.adapter, out);
     }
 }
@@ -207,6 +237,10 @@ impl eframe::App for App {
         if !gesture {
             self.handle(&ctx, Msg::Settle);
         }
+        self.title_ui(&ctx);
+        if let Some(autosave) = &mut self.autosave {
+            autosave.tick(&self.state, &ctx, &self.outbox);
+        }
         if changed {
             // The panels above were drawn from the state before these messages.
             ctx.request_repaint();
@@ -226,6 +260,9 @@ impl eframe::App for App {
             run.cancel.set();
         }
         self.fitter.finish();
+        if let Some(autosave) = &mut self.autosave {
+            autosave.end(&self.state);
+        }
     }
 }
 
@@ -316,7 +353,7 @@ fn dropped_files(ctx: &egui::Context, out: &mut Vec<Msg>) {
         painter.text(
             rect.center(),
             egui::Align2::CENTER_CENTER,
-            "Drop MERL files, fit files or a folder to open them",
+            "Drop MERL files, fit files, a session or a folder to open them",
             egui::FontId::proportional(24.0),
             egui::Color32::WHITE,
         );

@@ -5,6 +5,7 @@ use super::fitting::{FitMsg, Settings, steps};
 use super::lessons;
 use super::library::{LibraryMsg, LibraryTask, fit_run, show};
 use super::paper::{self, PaperTask};
+use super::session;
 use super::state::{Dialog, Origin, State};
 use super::tasks::ModelExport;
 use super::tiles::Tiles;
@@ -41,6 +42,8 @@ pub(super) fn run(state: &mut State, command: Command) -> Vec<Task> {
             });
             return export.map(Task::ExportModel).into_iter().collect();
         }
+        Command::SaveSession => return session::save(state, false),
+        Command::SaveSessionAs => return session::save(state, true),
         Command::SavePicture => return vec![Task::SavePicture],
         Command::Quit => return vec![Task::Quit],
         Command::Undo => {

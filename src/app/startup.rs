@@ -31,6 +31,7 @@ pub fn run(files: Vec<PathBuf>) -> Result<(), String> {
     let start = Options {
         files,
         picker: Picker::system(),
+        autosave: eframe::storage_dir("grazing").map(|folder| folder.join("autosave")),
     };
     eframe::run_native(
         "grazing",

@@ -7,6 +7,7 @@ use super::lessons::LessonAt;
 use super::library::{Library, Presence};
 use super::paper::Views;
 use super::probe::Probe;
+use super::session::SessionState;
 use super::subjects::SubjectKey;
 use super::tiles::Tiles;
 use super::views::{AlbedoView, ErrorMapView, ImageView, LandscapeView, Lobe3dView, SlicesView};
@@ -155,6 +156,8 @@ pub struct Opened {
 /// The part of the state that undo brings back.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
+    /// Which session it belongs to: a number in [`SessionState::files`], 0 at first.
+    pub session: u64,
     /// Open materials in the order of the library.
     pub opened: Vec<Opened>,
     /// Position of the shown one in `opened`.
@@ -186,6 +189,7 @@ pub struct Scene {
 impl Default for Scene {
     fn default() -> Self {
         Self {
+            session: 0,
             opened: Vec::new(),
             selected: 0,
             grey: [false; 2],
@@ -319,6 +323,8 @@ pub struct State {
     pub fit: FitState,
     /// The open folder, and what is in memory.
     pub library: Library,
+    /// Session files, and what is asked about them.
+    pub session: SessionState,
     /// The pair of directions under the pointer.
     pub hovered: Option<Probe>,
     /// The pair of directions that stays marked wherever the pointer goes.

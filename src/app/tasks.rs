@@ -4,14 +4,16 @@ use super::fitting::work::Fitter;
 use super::jobs::{self, Outbox, Queue};
 use super::library;
 use super::paper;
+use super::session;
 use super::state::Level;
 use super::update::{Msg, Task};
 use crate::brdf::Brdf;
+use crate::files::session::ENDING;
 use crate::files::{self, ModelFormat};
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder as _};
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
@@ -40,7 +42,7 @@ impl Picker {
             open: Arc::new(|| {
                 rfd::FileDialog::new()
                     .set_title("Open materials")
-                    .add_filter("MERL and fit files", &["binary", "json"])
+                    .add_filter("MERL, fit files and sessions", &["binary", "json"])
                     .add_filter("All files", &["*"])
                     .pick_files()
                     .unwrap_or_default()
@@ -52,14 +54,11 @@ impl Picker {
             }),
             save: Arc::new(|name| {
                 let mut dialog = rfd::FileDialog::new().set_file_name(name);
-                let extension = Path::new(name).extension();
-                let kind = SAVED
-                    .iter()
-                    .find(|kind| extension.is_some_and(|e| e == kind.extension));
-                if let Some(kind) = kind {
+                if let Some(kind) = SAVED.iter().find(|kind| name.ends_with(kind.ending)) {
+                    let extension = kind.ending.rsplit('.').next().unwrap_or_default();
                     dialog = dialog
                         .set_title(kind.title)
-                        .add_filter(kind.filter, &[kind.extension]);
+                        .add_filter(kind.filter, &[extension]);
                 }
                 dialog.save_file()
             }),
@@ -69,27 +68,28 @@ impl Picker {
 
 /// What the dialog for saving says of a kind of file.
 struct Saved {
-    extension: &'static str,
+    ending: &'static str,
     title: &'static str,
     filter: &'static str,
 }
 
-const SAVED: [Saved; 10] = [
-    saved("json", "Save fits", "Fit file"),
-    saved("png", "Save picture", "PNG picture"),
-    saved("svg", "Export figure", "SVG figure"),
-    saved("pdf", "Export figure", "PDF figure"),
-    saved("csv", "Export figure", "CSV table"),
-    saved("exr", "Export figure", "EXR picture"),
-    saved("binary", "Export model", "MERL file"),
-    saved("brdf", "Export model", "Disney BRDF"),
-    saved("wgsl", "Export model", "WGSL text"),
-    saved("glsl", "Export model", "GLSL text"),
+const SAVED: [Saved; 11] = [
+    saved(ENDING, "Save session", "Session"),
+    saved(".json", "Save fits", "Fit file"),
+    saved(".png", "Save picture", "PNG picture"),
+    saved(".svg", "Export figure", "SVG figure"),
+    saved(".pdf", "Export figure", "PDF figure"),
+    saved(".csv", "Export figure", "CSV table"),
+    saved(".exr", "Export figure", "EXR picture"),
+    saved(".binary", "Export model", "MERL file"),
+    saved(".brdf", "Export model", "Disney BRDF"),
+    saved(".wgsl", "Export model", "WGSL text"),
+    saved(".glsl", "Export model", "GLSL text"),
 ];
 
-const fn saved(extension: &'static str, title: &'static str, filter: &'static str) -> Saved {
+const fn saved(ending: &'static str, title: &'static str, filter: &'static str) -> Saved {
     Saved {
-        extension,
+        ending,
         title,
         filter,
     }
@@ -134,6 +134,7 @@ pub fn start(
         Task::Fit(task) => fitter.fit(task),
         Task::Resolve(resolve) => fitter.resolve(resolve),
         Task::Library(task) => library::start(task, outbox, picker),
+        Task::Session(task) => session::start(task, outbox, picker),
         Task::Derive(work) => {
             let outbox = outbox.clone();
             in_thread(&outbox.clone(), "view", move || work.run(&outbox));

@@ -11,6 +11,7 @@ pub(super) use super::opening::{add_material, add_material_at, load, load_with};
 use super::paper::{self, PaperMsg, PaperTask};
 use super::probe::Probe;
 use super::run_command;
+use super::session::{self, SessionMsg, SessionTask};
 use super::state::{CancelFlag, Level, LobeTile, Notice, Origin, Scene, SphereTile, State};
 use super::subjects::{self, SubjectKey, Subjects};
 use super::tasks::ModelExport;
@@ -18,6 +19,7 @@ use super::views::{AlbedoView, ErrorMapView, ImageView, LandscapeView, Lobe3dVie
 use crate::brdf::{Brdf, ParamId, Params};
 use crate::files::SourceFile;
 use crate::files::fits::MaterialFits;
+use crate::files::session::has_ending;
 use crate::fit::start;
 use crate::geom::color::luminance;
 use crate::measured::Table;
@@ -74,6 +76,8 @@ pub enum Msg {
     Paper(PaperMsg),
     /// Something about the folder and memory.
     Library(LibraryMsg),
+    /// Something about sessions.
+    Session(SessionMsg),
     /// Change the sphere tile.
     SetSphere(SphereTile),
     /// Change the lobe tile.
@@ -165,6 +169,8 @@ pub enum Task {
     Library(LibraryTask),
     /// Write or copy a figure.
     Paper(PaperTask),
+    /// Write a session, or ask where something is.
+    Session(SessionTask),
     /// Make what a view wishes for.
     Derive(Work),
     /// Ask for files to open.
@@ -189,7 +195,9 @@ pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
 fn change(state: &mut State, msg: Msg) -> Vec<Task> {
     match msg {
         Msg::Run(command) => return run_command::run(state, command),
-        Msg::OpenFiles(paths) => {
+        Msg::OpenFiles(mut paths) => {
+            // A session takes the place of what is open; what comes with it is added.
+            paths.sort_by_key(|path| !has_ending(path));
             return paths
                 .into_iter()
                 .map(|path| load(state, Origin::File(path)))
@@ -270,6 +278,7 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
         Msg::Fit(msg) => return steps::apply(state, msg),
         Msg::Paper(msg) => return paper::apply(state, msg),
         Msg::Library(msg) => return library::steps::apply(state, msg),
+        Msg::Session(msg) => return session::apply(state, msg),
         Msg::SetSphere(sphere) => edit(state, |scene| scene.sphere = sphere),
         Msg::SetLobes(lobes) => edit(state, |scene| scene.lobes = lobes),
         Msg::SetSlices(slices) => edit(state, |scene| scene.slices = slices),

@@ -25,7 +25,7 @@ use std::process::ExitCode;
 #[derive(Parser)]
 #[command(name = "grazing", version, args_conflicts_with_subcommands = true)]
 struct Cli {
-    /// MERL files, fit files or JSON files with models to open in the window
+    /// MERL files, fit files, JSON files with models or a session to open in the window
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
     #[command(subcommand)]

@@ -7,7 +7,7 @@ mod csv;
 mod json;
 
 pub use csv::write_csv;
-pub use json::{entries, write_json};
+pub use json::{entries, from_value, to_value, write_json};
 
 use crate::brdf::{Brdf, Params};
 use crate::fit::{Ended, Errors, Options, Outcome, Stage, Weight};

@@ -2,7 +2,7 @@
 
 use super::error::one_line;
 use super::fits::{self, MaterialFits};
-use super::{FileError, json_text, open};
+use super::{FileError, json_text, open, session};
 use crate::measured::merl;
 use std::cmp::Ordering;
 use std::iter::Peekable;
@@ -49,6 +49,10 @@ pub fn shown_name(path: &Path) -> String {
 pub fn inspect(path: &Path) -> Result<Content, FileError> {
     let (mut file, len) = open(path)?;
     if let Some(text) = json_text(&mut file, path)? {
+        if session::is_session(&text) {
+            let what = "this is a session; Open… opens it in place of what is open";
+            return Err(FileError::new(path, what));
+        }
         let entries = fits::entries(&text).map_err(|what| FileError::new(path, what))?;
         return Ok(Content::Models(fits::by_material(path, entries)));
     }

@@ -6,6 +6,7 @@ mod error;
 pub mod fits;
 pub mod folder;
 mod model_export;
+pub mod session;
 mod write;
 
 pub use error::FileError;
@@ -79,17 +80,41 @@ pub fn identify(path: &Path) -> Result<SourceFile, FileError> {
     Ok(file.finish(path, len))
 }
 
-/// The models of a JSON file with what it says around them; `None` if the file is something else.
+/// What a JSON file holds.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Json {
+    /// Models with what the file says around them.
+    Models(Vec<fits::Entry>),
+    /// The text of a session.
+    Session(String),
+}
+
+/// What is in a JSON file; `None` if the file is something else.
 ///
 /// # Errors
 /// As [`open_table`].
-pub fn open_models(path: &Path) -> Result<Option<Vec<fits::Entry>>, FileError> {
+pub fn open_json(path: &Path) -> Result<Option<Json>, FileError> {
     let (mut file, _) = open(path)?;
     let Some(text) = json_text(&mut file, path)? else {
         return Ok(None);
     };
+    if session::is_session(&text) {
+        return Ok(Some(Json::Session(text)));
+    }
     let entries = fits::entries(&text).map_err(|what| FileError::new(path, what))?;
-    Ok(Some(entries))
+    Ok(Some(Json::Models(entries)))
+}
+
+/// The models of a JSON file; `None` if the file is something else.
+///
+/// # Errors
+/// As [`open_table`], and for a session.
+pub fn open_models(path: &Path) -> Result<Option<Vec<fits::Entry>>, FileError> {
+    match open_json(path)? {
+        None => Ok(None),
+        Some(Json::Models(entries)) => Ok(Some(entries)),
+        Some(Json::Session(_)) => Err(FileError::new(path, session::NO_MODELS)),
+    }
 }
 
 /// The model at `index` (from 0) of a JSON file with what it says around it.
@@ -121,6 +146,9 @@ pub fn absolute(path: &Path) -> PathBuf {
 pub fn open_source(path: &Path, index: usize, progress: Progress) -> Result<Source, FileError> {
     let (mut file, len) = open(path)?;
     if let Some(text) = json_text(&mut file, path)? {
+        if session::is_session(&text) {
+            return Err(FileError::new(path, session::NO_MODELS));
+        }
         let brdf = brdf::json::from_text(&text, index)
             .map_err(|error| FileError::new(path, error.to_string()))?;
         return Ok(Source::Brdf(brdf));

@@ -26,12 +26,21 @@ pub fn window(files: Vec<PathBuf>, to_open: Vec<PathBuf>) -> Window {
 
 /// A window whose dialogs are answered by this.
 pub fn window_with(files: Vec<PathBuf>, picker: Picker) -> Window {
+    window_of(Options {
+        files,
+        picker,
+        autosave: None,
+    })
+}
+
+/// A window that starts like this.
+pub fn window_of(options: Options) -> Window {
     let mut window = Harness::builder()
         .with_size([1280.0, 800.0])
         .with_step_dt(0.03)
         .with_theme(egui::Theme::Dark)
         .wgpu()
-        .build_eframe(move |cc| App::new(cc, Options { files, picker }).expect("a renderer"));
+        .build_eframe(move |cc| App::new(cc, options).expect("a renderer"));
     settle(&mut window, |state| state.jobs.is_empty());
     window
 }

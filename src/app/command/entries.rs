@@ -34,7 +34,7 @@ pub(super) fn entries() -> Vec<Entry> {
         Command::Open,
         "Open…",
         Some((CTRL, Key::O)),
-        "Open MERL files, fit files or models",
+        "Open MERL files, fit files, models or a session",
     );
     add(
         "File",

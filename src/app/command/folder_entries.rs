@@ -1,4 +1,4 @@
-//! The rows of the command list that are about the folder.
+//! The rows of the command list that are about the folder and sessions.
 
 use super::{Command, Entry, Place};
 use egui::{Key, KeyboardShortcut, Modifiers};
@@ -30,6 +30,18 @@ pub(super) fn insert(list: &mut Vec<Entry>) {
                     "Save fits of the folder…",
                     None,
                     "Write the fits of all files of the folder to a fit file",
+                ),
+                (
+                    Command::SaveSession,
+                    "Save session…",
+                    Some(KeyboardShortcut::new(Modifiers::COMMAND, Key::S)),
+                    "Save what is open with models, fits, views and layout; asks where the first time",
+                ),
+                (
+                    Command::SaveSessionAs,
+                    "Save session as…",
+                    None,
+                    "Save what is open to another session file",
                 ),
             ],
         ),

@@ -8,6 +8,8 @@ use crate::fit::options::NO_LIMIT;
 use crate::fit::{
     Ended, Options, Outcome, Partial, Progress, STAGES, StageReport, Variant, Weight, concerns,
 };
+use crate::geom::degrees;
+use serde::{Deserialize, Serialize};
 
 /// What the panel says of the next fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -164,7 +166,7 @@ impl KeptFit {
             limit,
             options,
         } = &self.setup;
-        let asked = (*weight, limit.to_degrees());
+        let asked = (*weight, degrees::rounded(*limit));
         FitRecord::new(material, source, asked, options, &self.outcome)
     }
 
@@ -214,7 +216,8 @@ impl From<&FitRecord> for KeptFit {
 }
 
 /// What the table of fits is ordered by.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum SortBy {
     /// Model, then Fresnel factor.
     Name,

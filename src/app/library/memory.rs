@@ -117,7 +117,7 @@ pub(in crate::app) fn keep(state: &mut State) -> Vec<Task> {
 }
 
 /// Reads the table of a material again; the number of the job, and the task.
-pub(super) fn reload(state: &mut State, id: MaterialId) -> Option<(u64, Task)> {
+pub(in crate::app) fn reload(state: &mut State, id: MaterialId) -> Option<(u64, Task)> {
     let job = state.fresh_id();
     let material: &mut Material = state.materials.get_mut(&id)?;
     material.presence = Presence::Loading(job);
@@ -140,7 +140,7 @@ pub(super) fn reload(state: &mut State, id: MaterialId) -> Option<(u64, Task)> {
 }
 
 /// Cancels the load of what is no longer wished.
-pub(super) fn forget_wish(state: &mut State) {
+pub(in crate::app) fn forget_wish(state: &mut State) {
     let Some(Wish { job, .. }) = state.library.wish.take() else {
         return;
     };

@@ -208,6 +208,11 @@ fn take_back(state: &mut State, id: MaterialId, job: u64, result: Result<Loaded,
     }
     match result {
         Ok(loaded) => {
+            let since = if state.session.unread.remove(&id) {
+                "the session was saved"
+            } else {
+                "it was opened"
+            };
             let same = open_fits::same_data(loaded.source.as_ref(), material.source.as_ref());
             material.table = loaded.table;
             material.presence = Presence::Here;
@@ -217,7 +222,7 @@ fn take_back(state: &mut State, id: MaterialId, job: u64, result: Result<Loaded,
                 material.fits.clear();
                 let path = material.file().unwrap_or_default();
                 let what = format!(
-                    "the data of {} have changed since it was opened; its fits are gone",
+                    "the data of {} have changed since {since}; its fits are gone",
                     material.name
                 );
                 state.library.fits.remove(&path);

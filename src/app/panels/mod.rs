@@ -11,4 +11,5 @@ pub mod library;
 pub mod menu;
 pub mod model;
 pub mod notices;
+pub mod session;
 pub mod status;

@@ -1,6 +1,7 @@
 //! The movable tiles in the middle: a row per view, and where they are.
 
 mod albedo;
+mod check;
 mod controls;
 mod error_map;
 mod fits;
@@ -60,11 +61,10 @@ impl TryFrom<Saved> for Tiles {
     type Error = String;
 
     fn try_from(saved: Saved) -> Result<Self, String> {
-        if saved.version == VERSION {
-            Ok(Self(saved.tree))
-        } else {
-            Err(format!("layout version {}", saved.version))
+        if saved.version != VERSION {
+            return Err(format!("layout version {}", saved.version));
         }
+        check::checked(&saved.tree).map(Self)
     }
 }
 

@@ -41,6 +41,18 @@ impl View {
         }
     }
 
+    /// Itself, or all where it is no part that there can be: from a file, its numbers may be any.
+    pub fn or_all(self) -> Self {
+        let possible = |(low, high): (f64, f64)| {
+            low >= 0.0 && high <= 1.0 + 1e-9 && high - low >= CLOSEST * (1.0 - 1e-9)
+        };
+        if possible(self.x) && possible(self.y) {
+            self
+        } else {
+            Self::default()
+        }
+    }
+
     /// Moved by shares of the picture.
     pub fn moved(self, by: [f64; 2]) -> Self {
         let shift = |(low, high): (f64, f64), by: f64| {

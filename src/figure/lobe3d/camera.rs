@@ -34,6 +34,23 @@ impl Default for Camera {
     }
 }
 
+impl Camera {
+    /// The nearest camera that there can be: from a file, its numbers may be any.
+    pub fn held(self) -> Self {
+        let usual = Self::default();
+        let rotation = match self.rotation.length() {
+            length if (length - 1.0).abs() < 1e-12 => self.rotation,
+            length if (1e-6..1e6).contains(&length) => self.rotation.normalize(),
+            _ => usual.rotation,
+        };
+        Self {
+            rotation,
+            zoom: self.zoom.clamp(ZOOM[0], ZOOM[1]),
+            center: self.center.map(|middle| middle.clamp(-REACH, REACH)),
+        }
+    }
+}
+
 /// A camera on a canvas of a size in points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projection {

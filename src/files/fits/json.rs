@@ -24,6 +24,23 @@ pub fn write_json(fits: &[FitRecord], out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "\n]")
 }
 
+/// One fit as an object of such an array.
+pub fn to_value(fit: &FitRecord) -> Value {
+    // Numbers and texts under keys that are texts: nothing that JSON lacks.
+    serde_json::to_value(Object::from(fit)).unwrap_or_default()
+}
+
+/// Reads one object of such an array as a whole fit.
+///
+/// # Errors
+/// Says why it is no model, or which key is missing or not understood.
+pub fn from_value(value: Value) -> Result<FitRecord, String> {
+    let brdf = brdf::json::from_value(&value).map_err(|error| error.to_string())?;
+    let object = Object::deserialize(value).map_err(|error| format!("not a fit: {error}"))?;
+    let record = object.into_record(brdf);
+    record.ok_or_else(|| "not a fit: a stage, an angle, the weight or the end is unknown".into())
+}
+
 /// The models of a text that holds one object or an array of them: fits, plain models, or both.
 ///
 /// # Errors

@@ -1,7 +1,8 @@
 //! The open materials, a row each.
 
-use crate::app::library::{LibraryMsg, Target};
+use crate::app::library::{LibraryMsg, Presence, Target};
 use crate::app::paint;
+use crate::app::session::SessionMsg;
 use crate::app::state::{Origin, State};
 use crate::app::update::Msg;
 use crate::measured::samples::SAMPLES;
@@ -50,6 +51,16 @@ fn material_ui(ui: &mut egui::Ui, state: &State, index: usize, out: &mut Vec<Msg
                 out.push(Msg::Close(index));
             }
             beside_ui(ui, state, index, &material.name, out);
+            if material.presence == Presence::Lost && material.source.is_some() {
+                let locate = ui.add(egui::Button::new("…").small());
+                locate.widget_info(|| {
+                    let label = format!("Locate {}", material.name);
+                    egui::WidgetInfo::labeled(egui::Role::Button, true, label)
+                });
+                if locate.on_hover_text("Say where its file is now").clicked() {
+                    out.push(Msg::Session(SessionMsg::Locate(opened.id)));
+                }
+            }
             ui.with_layout(egui::Layout::top_down_justified(egui::Align::Min), |ui| {
                 let mut name = egui::RichText::new(if wished {
                     format!("{} – loading…", material.name)
@@ -93,7 +104,6 @@ fn material_ui(ui: &mut egui::Ui, state: &State, index: usize, out: &mut Vec<Msg
 
 /// What was measured, or where the data are.
 fn about(material: &crate::app::state::Material) -> String {
-    use crate::app::library::Presence;
     match material.presence {
         Presence::Here => {
             let grid = material.table.grid();
@@ -106,7 +116,9 @@ fn about(material: &crate::app::state::Material) -> String {
         }
         Presence::Away => "Its data are loaded again when it is shown.".into(),
         Presence::Loading(_) => "Loading…".into(),
-        Presence::Lost => "Its data could not be loaded again.".into(),
+        Presence::Lost => {
+            "Its data could not be loaded: the file is not there or cannot be read.".into()
+        }
     }
 }
 

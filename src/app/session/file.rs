@@ -1,0 +1,253 @@
+//! A session as plain data, as its file has it. The README documents the keys.
+
+use crate::app::fitting::SortBy;
+use crate::app::state::{LobeTile, SphereTile};
+use crate::app::tiles::Tiles;
+use crate::app::views::{
+    AlbedoView, ErrorMapView, ImageView, LandscapeView, Lobe3dView, SlicesView,
+};
+use crate::brdf::{self, Brdf, params};
+use crate::files::fits::{self, FitRecord};
+use crate::files::session::SavedSource;
+use crate::fit::Weight;
+use crate::fit::options::NO_LIMIT;
+use crate::geom::degrees;
+use crate::measured::lookup::Lookup;
+use glam::DVec3;
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// The version of the format that is written, and the only one that is read.
+pub const VERSION: u64 = 1;
+
+/// All that a session file holds, in the order in which it is written.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SessionFile {
+    /// [`VERSION`]
+    pub grazing_session: u64,
+    /// The program that wrote it.
+    pub program: String,
+    /// Its version.
+    pub version: String,
+    /// The session file that an autosave belongs to.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub saved_as: Option<String>,
+    /// Open materials in their order.
+    pub materials: Vec<SavedMaterial>,
+    /// Position of the shown one.
+    pub shown: usize,
+    /// What the plots do not show.
+    pub hidden: Vec<SavedKey>,
+    /// Interpolation of the tables.
+    pub lookup: Lookup,
+    /// Whether the channels of a colour move as one.
+    pub grey: Grey,
+    /// What the tiles are set to.
+    pub views: Views,
+    /// What the next fit is asked.
+    pub fit: SavedFitting,
+    /// The pinned pair of directions.
+    pub probe: Option<SavedProbe>,
+    /// The tiles and where they are; `None` leaves them as they are.
+    #[serde(serialize_with = "sorted")]
+    pub layout: Option<Tiles>,
+}
+
+/// A material with what lies over it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SavedMaterial {
+    /// Name on screen.
+    pub name: String,
+    /// The measured file; `None` for a sample and for a model alone.
+    pub source: Option<SavedSource>,
+    /// Key of a synthetic sample.
+    pub sample: Option<String>,
+    /// The model over it.
+    pub model: SavedBrdf,
+    /// The first guess from its data.
+    pub guess: SavedBrdf,
+    /// Whether the plots show it beside the shown one.
+    pub beside: bool,
+    /// Its fits.
+    pub fits: Vec<SavedFit>,
+}
+
+/// A model with all its numbers, those too that it does not use.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SavedBrdf(pub Brdf);
+
+impl Serialize for SavedBrdf {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut value = brdf::json::to_value(&self.0);
+        for row in &params::ALL {
+            value[row.key] = match self.0.params.get(row.id) {
+                [one] => json!(one),
+                many => json!(many),
+            };
+        }
+        value.serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for SavedBrdf {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let value = Value::deserialize(deserializer)?;
+        let mut brdf = brdf::json::from_value(&value).map_err(D::Error::custom)?;
+        for row in &params::ALL {
+            let found = value.get(row.key).and_then(Value::as_f64);
+            if let Some(found) = found.filter(|x| !brdf.uses(row.id) && row.accepts(*x)) {
+                brdf.params.get_mut(row.id).fill(found);
+            }
+        }
+        Ok(Self(brdf))
+    }
+}
+
+/// A kept fit.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SavedFit {
+    /// The fit as fit files have it.
+    #[serde(serialize_with = "write_record", deserialize_with = "read_record")]
+    pub record: FitRecord,
+    /// How long it took.
+    #[serde(default)]
+    pub seconds: Option<f64>,
+    /// Whether its lobes are drawn beside the model's.
+    #[serde(default)]
+    pub overlaid: bool,
+}
+
+fn write_record<S: Serializer>(record: &FitRecord, serializer: S) -> Result<S::Ok, S::Error> {
+    fits::to_value(record).serialize(serializer)
+}
+
+fn read_record<'de, D: Deserializer<'de>>(deserializer: D) -> Result<FitRecord, D::Error> {
+    fits::from_value(Value::deserialize(deserializer)?).map_err(D::Error::custom)
+}
+
+/// A name in the legends.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SavedKey {
+    /// Position of its material.
+    pub material: usize,
+    /// What of it.
+    pub what: SavedWhat,
+}
+
+/// Which values of a material.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SavedWhat {
+    /// The data.
+    Measured,
+    /// The model over them.
+    Model,
+    /// A kept fit.
+    Fit {
+        /// Key of the model.
+        model: String,
+        /// Key of the Fresnel factor.
+        fresnel: String,
+    },
+}
+
+/// Whether the channels of a colour move as one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Grey {
+    /// Those of ρ_d.
+    pub rho_d: bool,
+    /// Those of k_s.
+    pub k_s: bool,
+}
+
+/// What the tiles are set to.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[expect(missing_docs, reason = "each is the view of that name")]
+pub struct Views {
+    pub sphere: SphereTile,
+    pub lobes: LobeTile,
+    pub slices: SlicesView,
+    pub albedo: AlbedoView,
+    pub lobe3d: Lobe3dView,
+    pub image: ImageView,
+    pub error_map: ErrorMapView,
+    pub landscape: LandscapeView,
+}
+
+/// What the next fit is asked, and how the table of fits is ordered.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct SavedFitting {
+    /// How much a cell counts.
+    pub weight: Weight,
+    /// Grazing limit: degrees in the file, radians here.
+    #[serde(with = "degrees")]
+    pub limit: f64,
+    /// Numbers of the stages that are run.
+    pub stages: Vec<usize>,
+    /// Keys of the parameters that are held.
+    pub held: Vec<String>,
+    /// Bounds that are not the default, smallest and largest, by key of the parameter.
+    pub bounds: BTreeMap<String, (f64, f64)>,
+    /// Whether the fit begins at the sliders.
+    pub from_sliders: bool,
+    /// Whether ρ_d and k_s follow the other parameters.
+    pub keep_optimal: bool,
+    /// Order of the table.
+    pub sort: SortBy,
+}
+
+impl Default for SavedFitting {
+    fn default() -> Self {
+        Self {
+            weight: Weight::default(),
+            limit: NO_LIMIT,
+            stages: vec![1, 2, 3, 4],
+            held: Vec::new(),
+            bounds: BTreeMap::new(),
+            from_sliders: false,
+            keep_optimal: false,
+            sort: SortBy::default(),
+        }
+    }
+}
+
+/// A pair of unit vectors in the local frame.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SavedProbe {
+    /// To the light.
+    pub wi: DVec3,
+    /// To the viewer.
+    pub wo: DVec3,
+}
+
+impl SessionFile {
+    /// The text of the file: the same for the same session.
+    ///
+    /// # Errors
+    /// None that can be expected: every part is data that JSON has.
+    pub fn text(&self) -> serde_json::Result<String> {
+        let mut text = serde_json::to_string_pretty(self)?;
+        text.push('\n');
+        Ok(text)
+    }
+
+    /// Sets the relative paths for a session file in this folder.
+    pub fn place_in(&mut self, folder: &Path) {
+        let sources = self.materials.iter_mut().flat_map(|m| &mut m.source);
+        sources.for_each(|source| source.place_in(folder));
+    }
+}
+
+/// With sorted keys, as the layout has them in no order, and without a counter that depends on what was before.
+fn sorted<S: Serializer>(layout: &Option<Tiles>, serializer: S) -> Result<S::Ok, S::Error> {
+    let mut value = serde_json::to_value(layout).map_err(serde::ser::Error::custom)?;
+    if let Some(next) = value.pointer_mut("/tree/tiles/next_tile_id") {
+        *next = json!(1);
+    }
+    value.serialize(serializer)
+}

@@ -1,0 +1,60 @@
+//! Which files of a session are there. Looks at the disk, so it is part of the job that reads the session.
+
+use super::SessionFile;
+use super::read::read;
+use crate::files::{FileError, absolute};
+use std::path::{Path, PathBuf};
+
+/// A session that was read, and where its files are.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// What it says.
+    pub session: SessionFile,
+    /// A line on each thing that was not taken as it stands in the file.
+    pub remarks: Vec<String>,
+    /// For each material.
+    pub places: Vec<Place>,
+}
+
+/// Where the file of a material is.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Place {
+    /// The one that is there.
+    pub found: Option<PathBuf>,
+    /// Where it was looked for.
+    pub tried: Vec<PathBuf>,
+}
+
+/// Reads the text of the session file `path` and looks for the files that it names.
+///
+/// # Errors
+/// One line that says why it is no session, with the path last.
+pub fn find(path: &Path, text: &str) -> Result<Found, FileError> {
+    let say = |what: String| FileError::new(path, what);
+    let (mut session, remarks) = read(text).map_err(say)?;
+    let path = absolute(path);
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let mut places = Vec::new();
+    for material in &mut session.materials {
+        let Some(source) = &mut material.source else {
+            places.push(Place::default());
+            continue;
+        };
+        let tried = source.places(folder);
+        if source.relative.is_some() {
+            source.beside = tried.first().cloned();
+        }
+        places.push(Place {
+            found: tried.iter().find(|place| place.is_file()).cloned(),
+            tried,
+        });
+    }
+    Ok(Found {
+        session,
+        remarks: remarks
+            .into_iter()
+            .map(|remark| say(remark).to_string())
+            .collect(),
+        places,
+    })
+}

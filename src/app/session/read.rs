@@ -1,0 +1,189 @@
+//! From the text of a session to its data. What is not understood is left out and spoken about, the rest is taken.
+
+use super::differences::differences;
+use super::file::{SavedBrdf, SavedFit, SavedMaterial, SessionFile, VERSION, Views};
+use super::sane;
+use crate::app::state::Scene;
+use crate::app::tiles::Tiles;
+use crate::brdf::{Brdf, Fresnel, MODELS, Params};
+use crate::files::session::KEY;
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+
+/// How many places are named in one line.
+const NAMED: usize = 4;
+
+/// A session, and a line on each thing in its file that was not taken as it stands there.
+pub type Read = (SessionFile, Vec<String>);
+
+/// Reads a session.
+///
+/// # Errors
+/// One line that says why this is none.
+pub fn read(text: &str) -> Result<Read, String> {
+    let given: Value =
+        serde_json::from_str(text).map_err(|error| format!("not valid JSON: {error}"))?;
+    match given.get(KEY) {
+        None => return Err(format!("this is no session: it has no key \"{KEY}\"")),
+        Some(version) if version.as_u64() == Some(VERSION) => {}
+        Some(version) => {
+            return Err(format!(
+                "this session has the version {version}; expected {VERSION}; \
+                 newer ones need a newer Grazing"
+            ));
+        }
+    }
+    let Some(Value::Array(materials)) = given.get("materials") else {
+        return Err("this session has no array \"materials\"".into());
+    };
+    if let Some(index) = materials.iter().position(|material| !material.is_object()) {
+        return Err(format!("material {index} of this session is no object"));
+    }
+    let mut reader = Reader::default();
+    let materials = materials
+        .iter()
+        .enumerate()
+        .map(|(index, value)| reader.material(value, index))
+        .collect();
+    let session = reader.session(&given, materials);
+    let kept = sane::session(session);
+    let written = serde_json::to_value(&kept).unwrap_or_default();
+    reader.report(&given, &written);
+    Ok((kept, reader.remarks))
+}
+
+#[derive(Default)]
+struct Reader {
+    remarks: Vec<String>,
+    /// Places that a remark speaks about.
+    spoken_of: Vec<String>,
+}
+
+impl Reader {
+    /// The value of a key; `usual` where there is none or it is not understood.
+    fn part<T: DeserializeOwned>(&mut self, object: &Value, at: &str, key: &str, usual: T) -> T {
+        match object.get(key) {
+            None | Some(Value::Null) => usual,
+            Some(value) => self.understood(value, join(at, key)).unwrap_or(usual),
+        }
+    }
+
+    fn understood<T: DeserializeOwned>(&mut self, value: &Value, at: String) -> Option<T> {
+        match T::deserialize(value) {
+            Ok(part) => Some(part),
+            Err(error) => {
+                self.remarks
+                    .push(format!("\"{at}\" is not understood and left out: {error}"));
+                self.spoken_of.push(at);
+                None
+            }
+        }
+    }
+
+    fn material(&mut self, value: &Value, index: usize) -> SavedMaterial {
+        let at = format!("materials.{index}");
+        let unset = SavedBrdf(Brdf {
+            model: MODELS[0],
+            fresnel: Fresnel::None,
+            params: Params::default(),
+        });
+        let guess = self.part(value, &at, "guess", None);
+        let model = self.part(value, &at, "model", None);
+        let fits_at = join(&at, "fits");
+        let mut fits: Vec<SavedFit> = Vec::new();
+        match value.get("fits") {
+            None | Some(Value::Null) => {}
+            Some(Value::Array(items)) => {
+                for (index, item) in items.iter().enumerate() {
+                    match self.understood(item, join(&fits_at, &index.to_string())) {
+                        Some(fit) => fits.push(fit),
+                        // The places of those that follow are others now.
+                        None => self.spoken_of.push(fits_at.clone()),
+                    }
+                }
+            }
+            Some(other) => {
+                self.understood::<Vec<SavedFit>>(other, fits_at);
+            }
+        }
+        SavedMaterial {
+            name: self.part(value, &at, "name", String::new()),
+            source: self.part(value, &at, "source", None),
+            sample: self.part(value, &at, "sample", None),
+            model: model.or(guess).unwrap_or(unset),
+            guess: guess.or(model).unwrap_or(unset),
+            beside: self.part(value, &at, "beside", false),
+            fits,
+        }
+    }
+
+    fn session(&mut self, given: &Value, materials: Vec<SavedMaterial>) -> SessionFile {
+        let usual = Scene::default();
+        let empty = Value::Null;
+        let views = given.get("views").unwrap_or(&empty);
+        let mut text = |key: &str| self.part(given, "", key, String::new());
+        let (program, version) = (text("program"), text("version"));
+        let layout: Option<Tiles> = self.part(given, "", "layout", None);
+        self.spoken_of.push("layout".into());
+        SessionFile {
+            grazing_session: VERSION,
+            program,
+            version,
+            saved_as: self.part(given, "", "saved_as", None),
+            materials,
+            shown: self.part(given, "", "shown", 0),
+            hidden: self.part(given, "", "hidden", Vec::new()),
+            lookup: self.part(given, "", "lookup", usual.lookup),
+            grey: self.part(given, "", "grey", Default::default()),
+            views: Views {
+                sphere: self.part(views, "views", "sphere", usual.sphere),
+                lobes: self.part(views, "views", "lobes", usual.lobes),
+                slices: self.part(views, "views", "slices", usual.slices),
+                albedo: self.part(views, "views", "albedo", usual.albedo),
+                lobe3d: self.part(views, "views", "lobe3d", usual.lobe3d),
+                image: self.part(views, "views", "image", usual.image),
+                error_map: self.part(views, "views", "error_map", usual.error_map),
+                landscape: self.part(views, "views", "landscape", usual.landscape),
+            },
+            fit: self.part(given, "", "fit", Default::default()),
+            probe: self.part(given, "", "probe", None),
+            layout,
+        }
+    }
+
+    /// Says what was out of range, and which keys are not known.
+    fn report(&mut self, given: &Value, kept: &Value) {
+        let found = differences(given, kept, &self.spoken_of);
+        for (places, one, many) in [
+            (
+                found.changed,
+                "a value is not possible and was replaced",
+                "values are not possible and were replaced",
+            ),
+            (
+                found.unknown,
+                "a key is not known and left out",
+                "keys are not known and left out",
+            ),
+        ] {
+            let more = places.len().saturating_sub(NAMED);
+            let mut named = places[..places.len() - more].join(", ");
+            if more > 0 {
+                named += &format!(" and {more} more");
+            }
+            match places.len() {
+                0 => {}
+                1 => self.remarks.push(format!("{one}: {named}")),
+                count => self.remarks.push(format!("{count} {many}: {named}")),
+            }
+        }
+    }
+}
+
+fn join(at: &str, key: &str) -> String {
+    if at.is_empty() {
+        key.to_owned()
+    } else {
+        format!("{at}.{key}")
+    }
+}

@@ -1,0 +1,321 @@
+use super::{Found, SessionFile, SessionMsg, find};
+use crate::app::fitting::{KeptFit, SortBy};
+use crate::app::library::Presence;
+use crate::app::probe::Probe;
+use crate::app::state::{Material, MaterialId, Opened, Origin, Show, State};
+use crate::app::subjects::{SubjectKey, What};
+use crate::app::tiles::Pane;
+use crate::app::update::{Msg, apply};
+use crate::brdf::{Brdf, Fresnel, MODELS, Params};
+use crate::figure::Channel;
+use crate::figure::error_map::Plane;
+use crate::figure::image_slice::Shown;
+use crate::figure::scale::RadialScale;
+use crate::figure::slices::{Over, Residual};
+use crate::files::SourceFile;
+use crate::fit::options::NO_LIMIT;
+use crate::fit::{Ended, Errors, Options, Outcome, Stage, StageReport, Variant, Weight};
+use crate::geom::sphere_error::SphereError;
+use crate::measured::Table;
+use crate::measured::lookup::Lookup;
+use glam::{DQuat, DVec3};
+use serde_json::{Value, json};
+use std::path::Path;
+
+mod broken;
+
+const PATH: &str = "/data/study.grazing.json";
+
+fn brdf(model: usize, fresnel: Fresnel, s: f64) -> Brdf {
+    let params = Params {
+        rho_d: [0.1 + 0.2, 0.25, 1.0 / 3.0],
+        k_s: [1e-3, 12.5, 7e5],
+        s,
+        alpha: 0.3,
+        eta: 1.33,
+    };
+    let model = MODELS[model];
+    Brdf {
+        model,
+        fresnel,
+        params,
+    }
+}
+
+fn kept(brdf: Brdf, error: f64) -> KeptFit {
+    let stage = StageReport {
+        stage: Stage::Joint,
+        start: brdf,
+        start_error: 2.0 * error,
+        end: brdf,
+        error,
+        evaluations: 17,
+    };
+    let mut options = Options::default();
+    options.held.s = Some(brdf.params.s);
+    options.bounds[0] = Some((0.0, 0.5));
+    let mut setup = crate::app::fitting::Settings::default().setup(&brdf);
+    setup.options = options;
+    setup.limit = 77f64.to_radians();
+    let albedo = [[0.5; 3], [0.6; 3], [1.1, 0.2, 0.3]];
+    KeptFit {
+        outcome: Outcome {
+            brdf,
+            errors: Errors {
+                total: error,
+                grazing: None,
+                // A channel that is black has none.
+                channels: [error, f64::NAN, 0.125],
+            },
+            stages: vec![stage],
+            evaluations: 34,
+            ended: Ended::Limit,
+            albedo,
+            concerns: crate::fit::concerns::of(&brdf, &options, &albedo),
+        },
+        setup,
+        seconds: Some(1.75),
+        trace: Vec::new(),
+        overlaid: true,
+    }
+}
+
+fn add(state: &mut State, name: &str, origin: Origin, source: Option<SourceFile>, brdf: Brdf) {
+    let id = MaterialId(state.fresh_id());
+    let material = Material {
+        name: name.into(),
+        origin,
+        source,
+        table: Table::unmeasured(),
+        presence: Presence::Here,
+        last_shown: 0,
+        guess: Brdf {
+            params: Params::default(),
+            ..brdf
+        },
+        fits: Vec::new(),
+    };
+    state.materials.insert(id, material);
+    let beside = false;
+    state.scene.opened.push(Opened { id, brdf, beside });
+}
+
+/// A file, a sample and a model alone, and nothing as it is at first.
+fn rich() -> State {
+    let mut state = State::default();
+    for (name, path) in [
+        ("gold", "/data/merl/gold.binary"),
+        ("tin", "/far/tin.binary"),
+    ] {
+        let source = SourceFile {
+            path: path.into(),
+            bytes: Some(34_992_012),
+            sha256: Some(format!("{name}{}", "0".repeat(60))),
+        };
+        let brdf = brdf(2, Fresnel::Schlick, 12.0);
+        add(
+            &mut state,
+            name,
+            Origin::File(path.into()),
+            Some(source),
+            brdf,
+        );
+    }
+    let phong = brdf(0, Fresnel::None, 0.1 + 0.7);
+    add(
+        &mut state,
+        "Copper glaze (synthetic)",
+        Origin::Sample(1),
+        None,
+        phong,
+    );
+    let alone = Origin::File("/data/models.json".into());
+    add(
+        &mut state,
+        "my model",
+        alone,
+        None,
+        brdf(1, Fresnel::Exact, 99.0),
+    );
+    let gold = state.scene.opened[0].id;
+    state.keep_fit(gold, kept(brdf(2, Fresnel::Exact, 20.0), 0.25));
+    state.keep_fit(gold, kept(brdf(0, Fresnel::None, 3.0), 0.5));
+
+    let scene = &mut state.scene;
+    scene.selected = 1;
+    scene.opened[2].beside = true;
+    scene.grey = [true, false];
+    let fit = Variant::from(&brdf(2, Fresnel::Exact, 1.0));
+    for (material, what) in [(2, What::Measured), (0, What::Fit(fit)), (1, What::Model)] {
+        let material = scene.opened[material].id;
+        scene.hidden.push(SubjectKey { material, what });
+    }
+    scene.lookup = Lookup::Nearest;
+    scene.sphere.view.lights.truncate(1);
+    scene.sphere.view.lights[0].direction = DVec3::new(0.1, -0.4, 0.3).normalize();
+    scene.sphere.view.exposure_stops = -1.25;
+    scene.sphere.show = Show::Error(SphereError::Ratio);
+    scene.sphere.split = 0.3;
+    scene.lobes.theta_i = [5.5, 88.0].map(f64::to_radians).to_vec();
+    scene.lobes.active = 0;
+    scene.lobes.scale = RadialScale::Log;
+    scene.lobes.with_cosine = true;
+    scene.lobes.channel = Channel::B;
+    let spec = &mut scene.slices.spec;
+    spec.over = Over::PhiD;
+    spec.theta_h = 0.3;
+    spec.window = Some([0.5, 2.0]);
+    spec.limits = Some([0.001, 40.0]);
+    spec.residual = Residual::Ratio;
+    scene.slices.follow = true;
+    scene.albedo.spec.window = Some([0.25, 1.0]);
+    scene.lobe3d.theta_i = 1.0;
+    scene.lobe3d.camera.rotation = DQuat::from_rotation_x(0.5) * DQuat::from_rotation_z(2.0);
+    scene.lobe3d.camera.zoom = 3.0;
+    scene.image.shown = Shown::Ratio;
+    scene.image.view.x = (0.25, 0.75);
+    scene.error_map.plane = Plane::HalfDiff;
+    scene.landscape.solve_eta = true;
+
+    state.fit.settings.weight = Weight::Cells;
+    state.fit.settings.limit = 80f64.to_radians();
+    state.fit.settings.stages = [true, false, true, false];
+    state.fit.settings.held[3] = true;
+    state.fit.settings.bounds[2] = Some((1.0, 500.0));
+    state.fit.keep_optimal = true;
+    state.fit.sort = SortBy::Grazing;
+    state.pinned = Some(Probe::in_plane(0.7, -0.2));
+    state.tiles.toggle(Pane::Scatter);
+    state
+}
+
+fn text(state: &State) -> String {
+    let session = SessionFile::of(state).placed(Path::new(PATH));
+    session.text().expect("data that JSON has")
+}
+
+fn found(text: &str) -> Found {
+    find(Path::new(PATH), text).expect("a session")
+}
+
+fn opened(mut state: State, text: &str) -> State {
+    let found = Box::new(found(text));
+    assert_eq!(found.remarks, Vec::<String>::new());
+    let path = PATH.into();
+    apply(
+        &mut state,
+        Msg::Session(SessionMsg::Read {
+            job: 0,
+            path,
+            found,
+        }),
+    );
+    state
+}
+
+#[track_caller]
+fn same(a: &str, b: &str, what: &str) {
+    for (a, b) in a.lines().zip(b.lines()) {
+        assert_eq!(a, b, "{what}");
+    }
+    assert_eq!(a.len(), b.len(), "{what}");
+}
+
+/// Changes that a session keeps, one each.
+const CHANGES: [fn(&mut State); 24] = [
+    |s| s.scene.selected = 3,
+    |s| s.scene.opened.truncate(2),
+    |s| s.scene.opened[1].brdf.params.k_s[2] += 1e-9,
+    |s| s.scene.opened[2].brdf.params.eta = 1.7,
+    |s| s.scene.opened[0].beside = true,
+    |s| s.scene.grey[1] = true,
+    |s| s.scene.hidden.swap(0, 1),
+    |s| s.scene.lookup = Lookup::Smooth,
+    |s| s.scene.sphere.split = -0.5,
+    |s| s.scene.lobes.theta_i[1] = 0.5,
+    |s| s.scene.slices.spec.phi_d = 0.25,
+    |s| s.scene.albedo.spec.channel = Channel::R,
+    |s| s.scene.lobe3d.camera.center = [0.5, -0.25],
+    |s| s.scene.image.root = !s.scene.image.root,
+    |s| s.scene.error_map.scale = RadialScale::Log,
+    |s| s.scene.landscape.view.y = (0.5, 1.0),
+    |s| s.fit.settings.from_sliders = true,
+    |s| s.fit.settings.limit = NO_LIMIT,
+    |s| s.fit.sort = SortBy::Name,
+    |s| s.pinned = None,
+    |s| s.tiles.toggle(Pane::Lobes),
+    |s| s.materials.values_mut().next().expect("one").fits[0].overlaid = false,
+    |s| {
+        s.materials.values_mut().next().expect("one").fits[1]
+            .outcome
+            .errors
+            .total = 0.4;
+    },
+    |s| s.materials.values_mut().last().expect("one").guess.params.s = 7.0,
+];
+
+#[test]
+fn a_session_read_back_is_the_same_as_data() {
+    let original = text(&rich());
+    let again = opened(State::default(), &original);
+    same(&text(&again), &original, "");
+    assert_eq!(again.title(), "study — Grazing");
+    assert!(!again.history.can_undo(), "the start is no step");
+    for (index, change) in CHANGES.into_iter().enumerate() {
+        let mut state = rich();
+        change(&mut state);
+        let changed = text(&state);
+        assert!(changed != original, "change {index} is not in the file");
+        let again = opened(rich(), &changed);
+        same(&text(&again), &changed, &format!("change {index} is lost"));
+    }
+    // Planted: a state that lost one of them would be caught.
+    let mut forgetful = opened(State::default(), &original);
+    forgetful.scene.lobes.with_cosine = false;
+    assert!(text(&forgetful) != original);
+}
+
+#[test]
+fn undo_brings_back_what_was_open_and_its_name() {
+    let mut before = rich();
+    before.session.files.insert(0, "/x/old.grazing.json".into());
+    let scene = before.scene.clone();
+    let mut text = serde_json::to_value(SessionFile::of(&State::default())).expect("data");
+    text["lookup"] = json!("nearest");
+    let mut after = opened(before, &text.to_string());
+    assert!(after.scene.opened.is_empty() && after.title().starts_with("study"));
+    apply(&mut after, Msg::Run(crate::app::command::Command::Undo));
+    assert_eq!(after.scene, scene);
+    assert!(after.title().starts_with("old"));
+    assert_eq!(after.materials.len(), 4, "the data are still there");
+}
+
+#[test]
+fn what_is_missing_is_kept_with_its_models_and_saved_again_as_it_was() {
+    let original = text(&rich());
+    let mut state = opened(State::default(), &original);
+    let asked: Vec<MaterialId> = state.all_asked_for().map(|missing| missing.id).collect();
+    assert_eq!(asked, [0, 1].map(|k| state.scene.opened[k].id));
+    let tried = &state.asked_for().expect("the first").tried;
+    let expected = ["/data/merl/gold.binary", "/data/gold.binary"];
+    assert_eq!(tried[..], expected.map(std::path::PathBuf::from));
+    apply(&mut state, Msg::Session(SessionMsg::Skip { all: false }));
+    assert_eq!(state.asked_for().map(|missing| missing.id), Some(asked[1]));
+    apply(&mut state, Msg::Session(SessionMsg::Skip { all: true }));
+    assert_eq!(state.asked_for(), None);
+    same(&text(&state), &original, "");
+    // Found on another machine: the new place is what is saved.
+    let located = vec![(asked[0], "/new/gold.binary".into())];
+    let tasks = apply(&mut state, Msg::Session(SessionMsg::Located(located)));
+    assert_eq!(tasks.len(), 1);
+    let again: Value = serde_json::from_str(&text(&state)).expect("JSON");
+    assert_eq!(again["materials"][0]["source"]["path"], "/new/gold.binary");
+    assert_eq!(
+        again["materials"][0]["source"]["relative"],
+        "../new/gold.binary"
+    );
+    assert_eq!(
+        again["materials"][0]["fits"].as_array().map(Vec::len),
+        Some(2)
+    );
+}

@@ -1,0 +1,137 @@
+//! From the state to the data of a session.
+
+use super::file::{
+    Grey, SavedBrdf, SavedFit, SavedFitting, SavedKey, SavedMaterial, SavedProbe, SavedWhat,
+    SessionFile, VERSION, Views,
+};
+use crate::app::fitting::FitState;
+use crate::app::library::Presence;
+use crate::app::state::{MaterialId, Opened, Origin, State};
+use crate::app::subjects::{SubjectKey, What};
+use crate::brdf::params::ALL;
+use crate::files::session::SavedSource;
+use crate::fit::STAGES;
+use crate::measured::samples::SAMPLES;
+use std::path::Path;
+
+impl SessionFile {
+    /// What is open now, without relative paths ([`SessionFile::place_in`]). Of a fit under way, the best so far.
+    pub fn of(state: &State) -> Self {
+        let scene = &state.scene;
+        let opened = scene.opened.iter();
+        let position = |id: MaterialId| scene.opened.iter().position(|opened| opened.id == id);
+        let probe = state.pinned.map(|probe| SavedProbe {
+            wi: probe.wi,
+            wo: probe.wo,
+        });
+        Self {
+            grazing_session: VERSION,
+            program: env!("CARGO_PKG_NAME").into(),
+            version: env!("CARGO_PKG_VERSION").into(),
+            saved_as: None,
+            materials: opened.filter_map(|one| material(state, one)).collect(),
+            shown: scene.selected,
+            hidden: scene
+                .hidden
+                .iter()
+                .filter_map(|key| hidden(*key, position))
+                .collect(),
+            lookup: scene.lookup,
+            grey: Grey {
+                rho_d: scene.grey[0],
+                k_s: scene.grey[1],
+            },
+            views: Views {
+                sphere: scene.sphere.clone(),
+                lobes: scene.lobes.clone(),
+                slices: scene.slices.clone(),
+                albedo: scene.albedo.clone(),
+                lobe3d: scene.lobe3d,
+                image: scene.image.clone(),
+                error_map: scene.error_map.clone(),
+                landscape: scene.landscape.clone(),
+            },
+            fit: fitting(&state.fit),
+            probe,
+            layout: Some(state.tiles.clone()),
+        }
+    }
+
+    /// The same with the paths from the folder of the session file on.
+    pub fn placed(mut self, file: &Path) -> Self {
+        if let Some(folder) = crate::files::absolute(file).parent() {
+            self.place_in(folder);
+        }
+        self
+    }
+}
+
+fn material(state: &State, opened: &Opened) -> Option<SavedMaterial> {
+    let material = state.materials.get(&opened.id)?;
+    let live = state.fit.run.as_ref().and_then(|run| run.live);
+    let live = live.filter(|live| live.id == opened.id);
+    let sample = match material.origin {
+        Origin::Sample(index) => SAMPLES.get(index).map(|sample| sample.key.to_owned()),
+        Origin::File(_) => None,
+    };
+    // One that was not found is named as the session before named it: it may come back in either place.
+    let missing = state.session.missing_one(opened.id);
+    let missing = missing.filter(|_| material.presence == Presence::Lost);
+    let source = match missing {
+        Some(missing) => Some(missing.source.clone()),
+        None => material.source.as_ref().map(SavedSource::from),
+    };
+    let fits = material.fits.iter().map(|kept| SavedFit {
+        record: kept.record(material.name.clone(), material.source.clone()),
+        seconds: kept.seconds,
+        overlaid: kept.overlaid,
+    });
+    Some(SavedMaterial {
+        name: material.name.clone(),
+        source,
+        sample,
+        model: SavedBrdf(live.map_or(opened.brdf, |live| live.brdf)),
+        guess: SavedBrdf(material.guess),
+        beside: opened.beside,
+        fits: fits.collect(),
+    })
+}
+
+fn hidden(key: SubjectKey, position: impl Fn(MaterialId) -> Option<usize>) -> Option<SavedKey> {
+    Some(SavedKey {
+        material: position(key.material)?,
+        what: match key.what {
+            What::Measured => SavedWhat::Measured,
+            What::Model => SavedWhat::Model,
+            What::Fit(variant) => SavedWhat::Fit {
+                model: variant.model.key.into(),
+                fresnel: variant.fresnel.key().into(),
+            },
+        },
+    })
+}
+
+fn fitting(fit: &FitState) -> SavedFitting {
+    let settings = &fit.settings;
+    let stages = STAGES.iter().zip(settings.stages);
+    let held = ALL.iter().zip(settings.held);
+    let bounds = ALL.iter().zip(settings.bounds);
+    SavedFitting {
+        weight: settings.weight,
+        limit: settings.limit,
+        stages: stages
+            .filter(|(_, runs)| *runs)
+            .map(|(stage, _)| stage.number())
+            .collect(),
+        held: held
+            .filter(|(_, held)| *held)
+            .map(|(row, _)| row.key.into())
+            .collect(),
+        bounds: bounds
+            .filter_map(|(row, ends)| Some((row.key.into(), ends?)))
+            .collect(),
+        from_sliders: settings.from_sliders,
+        keep_optimal: fit.keep_optimal,
+        sort: fit.sort,
+    }
+}

@@ -1,0 +1,196 @@
+//! Session files as far as the file system goes: what tells one from other JSON, and where its materials may be.
+//!
+//! What is in one is the window's affair; the README documents its keys.
+
+use super::{SourceFile, absolute, material_name};
+use serde::{Deserialize, Serialize};
+use std::path::{Component, Path, PathBuf};
+
+/// The key that every session has; its value is the version of the format.
+pub const KEY: &str = "grazing_session";
+/// How the name of a session file ends.
+pub const ENDING: &str = ".grazing.json";
+/// What is said of a session where models are wanted.
+pub(super) const NO_MODELS: &str =
+    "this is a session; expected models or measured data; grazing FILE opens it in the window";
+
+/// Whether a JSON text is a session; a truncated one is one too.
+pub fn is_session(text: &str) -> bool {
+    text.trim_start().starts_with('{') && text.contains(&format!("\"{KEY}\""))
+}
+
+/// Whether a file is a session by its name.
+pub fn has_ending(path: &Path) -> bool {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    name.to_lowercase().ends_with(ENDING)
+}
+
+/// The name of a session: that of its file without the ending.
+pub fn name(path: &Path) -> String {
+    let stem = material_name(path);
+    match stem.strip_suffix(".grazing") {
+        Some(name) if !name.is_empty() => name.into(),
+        _ => stem,
+    }
+}
+
+/// A measured file as a session names it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SavedSource {
+    /// Its path from the root on.
+    pub path: String,
+    /// Its path from the folder of the session file on, with `/` between the parts; `None` where there is none.
+    #[serde(default)]
+    pub relative: Option<String>,
+    /// Its length.
+    #[serde(default)]
+    pub bytes: Option<u64>,
+    /// SHA-256 of its bytes in hexadecimal.
+    #[serde(default)]
+    pub sha256: Option<String>,
+    /// What `relative` leads to, where that is not `path`.
+    #[serde(skip)]
+    pub beside: Option<PathBuf>,
+}
+
+impl From<&SourceFile> for SavedSource {
+    fn from(source: &SourceFile) -> Self {
+        Self {
+            path: source.path.clone(),
+            relative: None,
+            bytes: source.bytes,
+            sha256: source.sha256.clone(),
+            beside: None,
+        }
+    }
+}
+
+impl SavedSource {
+    /// The same for the rest of the program.
+    pub fn file(&self) -> SourceFile {
+        SourceFile {
+            path: self.path.clone(),
+            bytes: self.bytes,
+            sha256: self.sha256.clone(),
+        }
+    }
+
+    /// Sets the relative path for a session in this folder.
+    pub fn place_in(&mut self, folder: &Path) {
+        let to = self.beside.as_deref().unwrap_or(Path::new(&self.path));
+        self.relative = relative(folder, to);
+    }
+
+    /// The places where it may be, in the order in which to look, seen from the folder of the session: its relative
+    /// path, its path from the root on, its name in that folder.
+    pub fn places(&self, folder: &Path) -> Vec<PathBuf> {
+        let mut places = Vec::new();
+        if let Some(relative) = &self.relative {
+            // Where a part of the folder's path is a link, the two may differ.
+            places.push(tidy(&folder.join(relative)));
+            let plain = folder.join(relative);
+            if plain != places[0] && plain.is_file() {
+                places.push(plain);
+            }
+        }
+        places.extend(self.file().places(folder));
+        let mut seen = Vec::new();
+        places.retain(|place| {
+            let new = !seen.contains(place);
+            seen.push(place.clone());
+            new
+        });
+        places
+    }
+}
+
+/// The way from a folder to a file; `None` where there is none, as between two drives.
+fn relative(folder: &Path, file: &Path) -> Option<String> {
+    let (folder, file) = (tidy(&absolute(folder)), tidy(file));
+    let (from, to): (Vec<_>, Vec<_>) = (folder.components().collect(), file.components().collect());
+    let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
+    if shared == 0 {
+        return None;
+    }
+    let up = (shared..from.len()).map(|_| "..".to_string());
+    let down = to[shared..]
+        .iter()
+        .map(|part| part.as_os_str().to_string_lossy().into_owned());
+    Some(up.chain(down).collect::<Vec<_>>().join("/"))
+}
+
+/// A path without `.` and `..`, as far as that can be said without looking at the disk.
+fn tidy(path: &Path) -> PathBuf {
+    let mut tidy = PathBuf::new();
+    for part in path.components() {
+        match part {
+            Component::CurDir => {}
+            Component::ParentDir => {
+                tidy.pop();
+            }
+            part => tidy.push(part),
+        }
+    }
+    tidy
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn source(path: &str, relative: Option<&str>) -> SavedSource {
+        SavedSource {
+            path: path.into(),
+            relative: relative.map(str::to_owned),
+            bytes: None,
+            sha256: None,
+            beside: None,
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_relative_path_leads_back_to_its_file() {
+        for (folder, file, expected) in [
+            ("/a/b", "/a/b/c.binary", "c.binary"),
+            ("/a/b", "/a/c/d.binary", "../c/d.binary"),
+            ("/a/b/c", "/d.binary", "../../../d.binary"),
+            ("/", "/a/b.binary", "a/b.binary"),
+            ("/a/./x/../b", "/a/b/c.binary", "c.binary"),
+        ] {
+            let mut saved = source(file, None);
+            saved.place_in(Path::new(folder));
+            assert_eq!(saved.relative.as_deref(), Some(expected));
+            assert_eq!(saved.places(Path::new(folder))[0], Path::new(file));
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn places_are_looked_at_in_order_and_once() {
+        let places = |relative| {
+            let places = source("/far/away/c.binary", relative).places(Path::new("/here"));
+            let texts = places.iter().map(|place| place.display().to_string());
+            texts.collect::<Vec<_>>()
+        };
+        let expected = ["/data/c.binary", "/far/away/c.binary", "/here/c.binary"];
+        assert_eq!(places(Some("../data/c.binary")), expected);
+        assert_eq!(
+            places(Some("c.binary")),
+            ["/here/c.binary", "/far/away/c.binary"]
+        );
+        assert_eq!(places(None), ["/far/away/c.binary", "/here/c.binary"]);
+    }
+
+    #[test]
+    fn sessions_are_told_from_models_and_named_after_their_file() {
+        assert!(is_session(" {\"grazing_session\": 1, \"mat"));
+        assert!(!is_session("[{\"model\": \"phong\"}]"));
+        assert!(!is_session("{\"model\": \"phong\"}"));
+        let path = Path::new("/a/teflon study.grazing.json");
+        assert_eq!(name(path), "teflon study");
+        assert!(has_ending(path) && !has_ending(Path::new("/a/teflon.json")));
+        assert_eq!(name(Path::new("other.json")), "other");
+        assert_eq!(name(Path::new(".grazing.json")), ".grazing");
+    }
+}
