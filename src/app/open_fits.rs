@@ -103,7 +103,11 @@ fn lay_over(state: &mut State, over: &[(usize, MaterialFits)]) {
     let Some((first, _)) = over.first() else {
         return;
     };
-    steps::release_model(state);
+    // What is opened last is what stays. The best so far of a fit that moves one of these models is one step back, and
+    // the end of that fit changes nothing any more.
+    for (index, _) in over {
+        steps::release_model_of(state, state.scene.opened[*index].id);
+    }
     // A drag may be under way.
     state.history.settle(&state.scene);
     edit(state, |scene| {
@@ -152,5 +156,148 @@ fn what_is_missing(path: &Path, without: &[MaterialFits]) -> Option<String> {
                 missing.len()
             ),
         ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::command::Command;
+    use crate::app::fitting::{FitMsg, Heard, Timed};
+    use crate::app::update::{Msg, apply};
+    use crate::brdf::Brdf;
+    use crate::files::fits::{Entry, FitRecord};
+    use crate::fit::{Ended, Errors, Options, Outcome, Progress, Stage, Weight};
+    use crate::measured::Grid;
+
+    /// Two grey materials, the second of them shown.
+    fn two() -> State {
+        let mut state = State::default();
+        for k in 0..2 {
+            let table = Table::new(Grid::FOLDED, vec![[0.1; 3]; Grid::FOLDED.len()]);
+            let msg = Msg::Loaded {
+                job: 0,
+                origin: Origin::Sample(k),
+                result: Ok(Loaded::new(format!("grey {k}"), None, table)),
+            };
+            apply(&mut state, msg);
+        }
+        state
+    }
+
+    fn with_s(mut brdf: Brdf, s: f64) -> Brdf {
+        brdf.params.s = s;
+        brdf
+    }
+
+    fn outcome(brdf: Brdf, ended: Ended) -> Outcome {
+        let error = 0.1;
+        Outcome {
+            brdf,
+            errors: Errors {
+                total: error,
+                grazing: None,
+                channels: [error; 3],
+            },
+            stages: Vec::new(),
+            evaluations: 10,
+            ended,
+            albedo: [[0.5; 3]; 3],
+            concerns: Vec::new(),
+        }
+    }
+
+    /// A fit file with one fit of a material of this name.
+    fn file(name: &str, brdf: Brdf) -> Msg {
+        let asked = (Weight::default(), 90.0);
+        let outcome = outcome(brdf, Ended::Converged);
+        let fit = FitRecord::new(name.into(), None, asked, &Options::default(), &outcome);
+        let entry = Entry {
+            brdf,
+            material: Some(name.into()),
+            source: None,
+            error: Some(outcome.errors.total),
+            fit: Some(fit),
+        };
+        Msg::FitsRead {
+            job: 0,
+            path: "fits.json".into(),
+            fits: vec![MaterialFits {
+                name: name.into(),
+                source: None,
+                places: Vec::new(),
+                found: None,
+                best: brdf,
+                entries: vec![entry],
+            }],
+        }
+    }
+
+    /// Fits the shown material and lets the fit say this; its number.
+    fn fit(state: &mut State, best: Brdf) -> u64 {
+        apply(state, Msg::Run(Command::Fit));
+        let job = state.fit.run.as_ref().expect("a fit").job;
+        let progress = Progress {
+            stage: Stage::Joint,
+            brdf: best,
+            error: 0.2,
+            all_cells: true,
+            evaluations: 10,
+            share: 0.5,
+        };
+        let words = vec![(0, progress)];
+        apply(state, Msg::Fit(FitMsg::Heard(Heard { job, words })));
+        job
+    }
+
+    fn done(state: &mut State, job: u64, brdf: Brdf, ended: Ended) {
+        let timed = Timed {
+            outcome: outcome(brdf, ended),
+            seconds: 1.0,
+        };
+        let result = Ok(vec![timed]);
+        let msg = FitMsg::Done {
+            job,
+            rest: None,
+            result,
+        };
+        apply(state, Msg::Fit(msg));
+    }
+
+    #[test]
+    fn a_file_opened_last_stays_though_its_material_is_fitted_unseen() {
+        let mut state = two();
+        let first = state.scene.opened[1].brdf;
+        let (so_far, of_file, at_end) =
+            (with_s(first, 7.0), with_s(first, 8.0), with_s(first, 9.0));
+        let job = fit(&mut state, so_far);
+        apply(&mut state, Msg::Select(0));
+        apply(&mut state, file("grey 1", of_file));
+        assert!(state.fit.run.as_ref().is_some_and(|run| run.stopping));
+        done(&mut state, job, at_end, Ended::Cancelled);
+        let shown = |state: &State| state.scene.opened[1].brdf;
+        assert_eq!((shown(&state), state.scene.selected), (of_file, 1));
+        // The file's fit was not overwritten by one that was stopped.
+        let id = state.scene.opened[1].id;
+        assert_eq!(state.materials[&id].fits.len(), 1);
+        assert_eq!(state.materials[&id].fits[0].outcome.brdf, of_file);
+        // One step back is what the fit had come to, two what was there before it.
+        apply(&mut state, Msg::Run(Command::Undo));
+        assert_eq!(shown(&state), so_far);
+        apply(&mut state, Msg::Run(Command::Undo));
+        assert_eq!(shown(&state), first);
+    }
+
+    #[test]
+    fn a_file_of_another_material_lets_the_fit_go_on() {
+        let mut state = two();
+        let first = state.scene.opened[1].brdf;
+        let (so_far, at_end) = (with_s(first, 7.0), with_s(first, 9.0));
+        let job = fit(&mut state, so_far);
+        apply(&mut state, file("grey 0", with_s(first, 8.0)));
+        assert!(state.fit.run.as_ref().is_some_and(|run| !run.stopping));
+        done(&mut state, job, at_end, Ended::Converged);
+        assert_eq!(state.scene.opened[1].brdf, at_end);
+        assert_eq!(state.scene.opened[0].brdf.params.s, 8.0);
     }
 }

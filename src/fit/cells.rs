@@ -165,6 +165,29 @@ impl Gather<'_> {
             let cos2 = vectors::<S>(self.sites.cos2_of(row));
             let values = vectors::<S>(self.sites.values_of(row));
             let mut linear = [zero; 2];
+            let mut in_band = zero;
+            for (site, (cos2, x)) in cos2.iter().zip(vectors::<S>(shapes)).enumerate() {
+                let x = Lanes::new(simd, *x);
+                let weight = w1.mul_add(Lanes::new(simd, *cos2), w0);
+                let model = b.mul_add(x, a);
+                let width = band.mul_add(model, floor);
+                let values = block_of::<S, COPIES>(values, site);
+                for copy in 0..COPIES {
+                    let plane = (3 * copy + channel) * per_block::<S>();
+                    let r = model - Lanes::new(simd, values[plane]);
+                    let present = weight.where_le(zero, Lanes::new(simd, values[plane]));
+                    let near = present.where_le(r.abs(), width);
+                    let slope = (present - near).with_sign_of(r);
+                    linear[0] = linear[0] + slope;
+                    linear[1] = slope.mul_add(x, linear[1]);
+                    in_band = in_band + near;
+                }
+            }
+            (0..2).for_each(|k| sum.linear[k] += linear[k].total());
+            // Seldom, so the row is looked at again rather than every vector of it asked at once.
+            if in_band.total() <= 0.0 {
+                continue;
+            }
             for (site, (cos2, x)) in cos2.iter().zip(vectors::<S>(shapes)).enumerate() {
                 let x = Lanes::new(simd, *x);
                 let weight = w1.mul_add(Lanes::new(simd, *cos2), w0);
@@ -174,25 +197,17 @@ impl Gather<'_> {
                 for copy in 0..COPIES {
                     let plane = (3 * copy + channel) * per_block::<S>();
                     let measured = Lanes::new(simd, values[plane]);
-                    let r = model - measured;
                     let present = weight.where_le(zero, measured);
-                    let near = present.where_le(r.abs(), width);
-                    let slope = (present - near).with_sign_of(r);
-                    linear[0] = linear[0] + slope;
-                    linear[1] = slope.mul_add(x, linear[1]);
-                    // Seldom.
-                    if near.total() > 0.0 {
-                        for lane in (0..S::F32_LANES).filter(|lane| near.lanes()[*lane] > 0.0) {
-                            sum.cells.push(Cell {
-                                x: x.lanes()[lane].into(),
-                                f: measured.lanes()[lane].into(),
-                                w: near.lanes()[lane].into(),
-                            });
-                        }
+                    let near = present.where_le((model - measured).abs(), width);
+                    for lane in (0..S::F32_LANES).filter(|lane| near.lanes()[*lane] > 0.0) {
+                        sum.cells.push(Cell {
+                            x: x.lanes()[lane].into(),
+                            f: measured.lanes()[lane].into(),
+                            w: near.lanes()[lane].into(),
+                        });
                     }
                 }
             }
-            (0..2).for_each(|k| sum.linear[k] += linear[k].total());
         }
     }
 }

@@ -9,15 +9,19 @@ use super::outcome::{ALBEDO_ANGLES, Ended, Errors, Outcome, Progress, StageRepor
 use super::passes::Amplitudes;
 use super::regression::{self, Effort, Limits};
 use super::shape::{Lobe, Point, Shape, Threads};
-use super::{Problem, Watch, concerns, starts};
+use super::starts::{self, Grid};
+use super::{Problem, Watch, concerns};
 use crate::brdf::{Brdf, Params, albedo};
 use descents::Level;
 use std::ops::ControlFlow;
 
-/// A candidate's E over all cells, with the solution made exact.
+/// A candidate as it is given out, with its E over all cells.
 #[derive(Clone, Copy, Debug)]
 struct Best {
     candidate: Candidate,
+    /// Its parameters; the search's own differ from them by a rounding.
+    brdf: Brdf,
+    /// Of these.
     errors: Errors,
 }
 
@@ -33,6 +37,8 @@ pub(super) struct Engine<'a, 'w> {
     exhausted: bool,
     /// The starts that the data suggest, once they are asked for.
     starts: Option<Vec<Candidate>>,
+    /// What they are chosen from, and other fits too.
+    grid: &'w mut Grid,
     /// Contained fits, with the numbers that they were given out with.
     known: Vec<(Candidate, Params)>,
     stages: Vec<StageReport>,
@@ -40,14 +46,18 @@ pub(super) struct Engine<'a, 'w> {
     evaluations: usize,
 }
 
-/// Fits what the variant contains, asking every now and then whether to go on.
-type Contained<'c> = &'c mut dyn FnMut(&mut (dyn FnMut() -> ControlFlow<()> + Send)) -> Vec<Brdf>;
+/// Fits what the variant contains, asking every now and then whether to go on; with the errors of each.
+type Contained<'c> = &'c mut dyn FnMut(
+    &mut Grid,
+    &mut (dyn FnMut() -> ControlFlow<()> + Send),
+) -> Vec<(Brdf, Errors)>;
 
 impl<'a, 'w> Engine<'a, 'w> {
     pub fn new(
         problem: &'a Problem,
         variant: Variant,
         options: &'a Options,
+        grid: &'w mut Grid,
         watch: Watch<'w>,
     ) -> Self {
         Self {
@@ -59,6 +69,7 @@ impl<'a, 'w> Engine<'a, 'w> {
             cancelled: false,
             exhausted: false,
             starts: None,
+            grid,
             known: Vec::new(),
             stages: Vec::new(),
             stage: Stage::Amplitudes,
@@ -91,9 +102,9 @@ impl<'a, 'w> Engine<'a, 'w> {
             }
             self.stages.push(StageReport {
                 stage,
-                start: self.brdf(&before.candidate),
+                start: before.brdf,
                 start_error: before.errors.total,
-                end: self.brdf(&best.candidate),
+                end: best.brdf,
                 error: best.errors.total,
                 evaluations: self.evaluations,
             });
@@ -103,12 +114,11 @@ impl<'a, 'w> Engine<'a, 'w> {
     }
 
     fn outcome(self, best: Best) -> Outcome {
-        let brdf = self.brdf(&best.candidate);
+        let brdf = best.brdf;
         let albedo = ALBEDO_ANGLES.map(|degrees| albedo::albedo(&brdf, degrees.to_radians()));
         Outcome {
             brdf,
-            // Of the parameters as they are given out: the search's own differ from them by a rounding.
-            errors: self.problem.errors(&brdf),
+            errors: best.errors,
             evaluations: self.stages.iter().map(|stage| stage.evaluations).sum(),
             stages: self.stages,
             ended: match (self.cancelled, self.exhausted) {
@@ -164,13 +174,13 @@ impl<'a, 'w> Engine<'a, 'w> {
     fn starts(&mut self) -> &[Candidate] {
         let (coarse, space) = (&self.problem.coarse, &self.space);
         self.starts
-            .get_or_insert_with(|| starts::from_data(coarse, space))
+            .get_or_insert_with(|| starts::from_data(coarse, space, self.grid))
     }
 
     /// Stage 1.
     fn amplitudes(&mut self, before: &Best) -> Vec<Best> {
         self.evaluations += 1;
-        vec![self.solve_exactly(&before.candidate, &self.space.limits)]
+        vec![self.solve(&before.candidate, &self.space.limits, true)]
     }
 
     /// Stage 2.
@@ -197,20 +207,27 @@ impl<'a, 'w> Engine<'a, 'w> {
         let contained = {
             let shown = before.candidate;
             let error = before.errors.total;
-            contained(&mut || self.report_progress(&shown, error, true))
+            let mut grid = std::mem::take(self.grid);
+            let found = contained(&mut grid, &mut || self.report_progress(&shown, error, true));
+            *self.grid = grid;
+            found
         };
-        for brdf in contained {
+        for (brdf, errors) in contained {
             let point = Shape::of(Variant::from(&brdf), &brdf.params).point();
             let (_, amplitudes) = self.problem.parts(&brdf);
             let candidate = Candidate {
                 point,
                 amplitudes,
-                error: f64::INFINITY,
+                error: errors.total,
             };
             near.push(candidate);
-            let params = brdf.with_model(self.space.variant.model).params;
-            self.known.push((candidate, params));
-            found.push(self.measure(candidate));
+            let brdf = brdf.with_model(self.space.variant.model);
+            self.known.push((candidate, brdf.params));
+            found.push(Best {
+                candidate,
+                brdf: self.space.variant.with(brdf.params),
+                errors,
+            });
         }
         if self.cancelled {
             return found;
@@ -247,23 +264,32 @@ impl<'a, 'w> Engine<'a, 'w> {
         if self.cancelled {
             self.measure(end)
         } else {
-            self.solve_exactly(&end, limits)
+            self.solve(&end, limits, self.is_last())
         }
+    }
+
+    /// Whether no stage follows that would move all that this one does.
+    fn is_last(&self) -> bool {
+        self.stage == Stage::Joint || !self.options.runs(Stage::Joint)
     }
 
     /// E over all cells as it is reported.
     fn measure(&self, mut candidate: Candidate) -> Best {
-        let lobe = self.lobe(candidate.point);
-        let errors = self.problem.errors_of(&lobe, &candidate.amplitudes);
+        let brdf = self.brdf(&candidate);
+        let errors = self.problem.errors(&brdf);
         candidate.error = errors.total;
-        Best { candidate, errors }
+        Best {
+            candidate,
+            brdf,
+            errors,
+        }
     }
 
-    /// The same after solving for the amplitudes, exactly.
-    fn solve_exactly(&self, near: &Candidate, limits: &Limits) -> Best {
+    /// The same after solving for the amplitudes: to the last cell, or to what a look at all of them promises.
+    fn solve(&self, near: &Candidate, limits: &Limits, exactly: bool) -> Best {
         let all = &self.problem.all;
         let shapes = self.lobe(near.point).shapes(all);
-        let (amplitudes, _) = regression::solve(
+        let (mut amplitudes, _) = regression::solve(
             all,
             &shapes,
             &near.amplitudes,
@@ -271,7 +297,9 @@ impl<'a, 'w> Engine<'a, 'w> {
             Effort::CLOSE.near_error(near.error),
             Threads::Many,
         );
-        let amplitudes = cells::exact(all, &shapes, &amplitudes, limits);
+        if exactly {
+            amplitudes = cells::exact(all, &shapes, &amplitudes, limits);
+        }
         self.measure(Candidate {
             amplitudes,
             ..*near

@@ -33,6 +33,7 @@ pub use outcome::{Concern, Ended, Errors, Outcome, Progress, StageReport};
 pub use problem::{Problem, ProblemError};
 
 use engine::Engine;
+use starts::Grid;
 use std::ops::ControlFlow;
 
 /// Called with the best so far, at least every few hundredths of a second and once a stage; may stop the fit. Calls
@@ -44,7 +45,7 @@ pub type Watch<'a> = &'a mut (dyn FnMut(&Progress) -> ControlFlow<()> + Send);
 /// Stopped by `watch`, the outcome is the best so far. A variant that contains others (the combined model at α = 0
 /// and 1) is never worse than these, fitted likewise.
 pub fn fit(problem: &Problem, variant: Variant, options: &Options, watch: Watch) -> Outcome {
-    fit_knowing(problem, variant, options, &[], watch)
+    fit_knowing(problem, variant, options, &[], &mut Grid::default(), watch)
 }
 
 /// Fits several variants; what one finds helps those that contain it, so this is quicker than one by one.
@@ -58,9 +59,10 @@ pub fn fit_all(
     watch: &mut (dyn FnMut(usize, &Progress) -> ControlFlow<()> + Send),
 ) -> Vec<Outcome> {
     let mut outcomes: Vec<Outcome> = Vec::new();
+    let mut grid = Grid::default();
     for (position, variant) in variants.iter().enumerate() {
         let mut watch = |progress: &Progress| watch(position, progress);
-        let outcome = fit_knowing(problem, *variant, options, &outcomes, &mut watch);
+        let outcome = fit_knowing(problem, *variant, options, &outcomes, &mut grid, &mut watch);
         let stopped = outcome.ended == Ended::Cancelled;
         outcomes.push(outcome);
         if stopped {
@@ -76,22 +78,22 @@ fn fit_knowing(
     variant: Variant,
     options: &Options,
     known: &[Outcome],
+    grid: &mut Grid,
     watch: Watch,
 ) -> Outcome {
     let contained = contained::variants(variant, options);
-    Engine::new(problem, variant, options, watch).run(&mut |go_on| {
+    Engine::new(problem, variant, options, grid, watch).run(&mut |grid, go_on| {
         let mut found = Vec::new();
         for (inner, inner_options) in &contained {
             let same = |outcome: &&Outcome| Variant::from(&outcome.brdf) == *inner;
-            let brdf = match known.iter().find(same) {
-                Some(outcome) if inner_options == options => outcome.brdf,
-                _ => {
-                    Engine::new(problem, *inner, inner_options, &mut |_| go_on())
-                        .run(&mut |_| Vec::new())
-                        .brdf
-                }
-            };
-            found.push(brdf);
+            let of = |outcome: &Outcome| (outcome.brdf, outcome.errors);
+            found.push(match known.iter().find(same) {
+                Some(outcome) if inner_options == options => of(outcome),
+                _ => of(
+                    &Engine::new(problem, *inner, inner_options, grid, &mut |_| go_on())
+                        .run(&mut |_, _| Vec::new()),
+                ),
+            });
             if go_on().is_break() {
                 break;
             }

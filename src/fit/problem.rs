@@ -79,12 +79,8 @@ impl Problem {
     /// E of a model in total and in parts; one pass.
     pub fn errors(&self, brdf: &Brdf) -> Errors {
         let (lobe, amplitudes) = self.parts(brdf);
-        self.errors_of(&lobe, &amplitudes)
-    }
-
-    pub(super) fn errors_of(&self, lobe: &Lobe, amplitudes: &Amplitudes) -> Errors {
         let all = &self.all;
-        let parts = passes::parts(lobe, all, amplitudes, Threads::Many);
+        let parts = passes::parts(&lobe, all, &amplitudes, Threads::Many);
         Errors {
             total: parts.channels.iter().sum(),
             grazing: (self.grazing && all.grazing_share > 0.0)

@@ -1,8 +1,10 @@
 //! Where a fit may begin: the best points of a grid over (s, α, η), on the small sample.
 
 use super::objective::{Candidate, Follow, Objective, Space};
+use super::regression::Limits;
 use super::shape::{Point, Threads};
 use super::sites::Sites;
+use crate::brdf::Fresnel;
 use rayon::prelude::*;
 
 /// Grid points per decade of s.
@@ -13,8 +15,32 @@ const ETAS_LESS_1: [f64; 3] = [0.12, 0.5, 3.0];
 /// How many starts are followed.
 const STARTS: usize = 5;
 
+/// The points of the grid that were evaluated, for all fits of one problem under the same options: those of Phong and
+/// Blinn-Phong are points of the combined model as well.
+#[derive(Debug, Default)]
+pub struct Grid(Vec<Chain>);
+
+/// All s at one α and η.
+#[derive(Clone, Debug)]
+struct Chain {
+    fresnel: Fresnel,
+    limits: Limits,
+    alpha: f64,
+    eta: f64,
+    along: Vec<Candidate>,
+}
+
+impl Chain {
+    fn is_of(&self, space: &Space, exponents: &[f64], (alpha, eta): (f64, f64)) -> bool {
+        self.fresnel == space.variant.fresnel
+            && self.limits == space.limits
+            && (self.alpha, self.eta) == (alpha, eta)
+            && self.along.iter().map(|point| &point.point[0]).eq(exponents)
+    }
+}
+
 /// The most promising points, the best first: local minima of the grid.
-pub fn from_data(coarse: &Sites, space: &Space) -> Vec<Candidate> {
+pub fn from_data(coarse: &Sites, space: &Space, grid: &mut Grid) -> Vec<Candidate> {
     let exponents = even(space.bounds[0]);
     let alphas = choices(space.bounds[1], &ALPHAS);
     let etas = choices(space.bounds[2], &ETAS_LESS_1.map(f64::ln));
@@ -22,17 +48,42 @@ pub fn from_data(coarse: &Sites, space: &Space) -> Vec<Candidate> {
         .iter()
         .flat_map(|eta| alphas.iter().map(|alpha| (*alpha, *eta)))
         .collect();
-    let grid: Vec<Vec<Candidate>> = chains
+    let known = |at: &(f64, f64)| {
+        grid.0
+            .iter()
+            .find(|chain| chain.is_of(space, &exponents, *at))
+    };
+    let fresnel = space.variant.fresnel;
+    let found: Vec<Chain> = chains
         .par_iter()
-        .map(|(alpha, eta)| {
-            let follow = Follow::Solved(space.limits);
-            let fresnel = space.variant.fresnel;
-            let mut objective = Objective::new(coarse, fresnel, follow, None, Threads::One);
-            let along = exponents.iter().map(|ln_s| [*ln_s, *alpha, *eta]);
-            along.map(|point| objective.error(point)).collect()
+        .map(|at| {
+            let (alpha, eta) = *at;
+            known(at).cloned().unwrap_or_else(|| {
+                let follow = Follow::Solved(space.limits);
+                let mut objective = Objective::new(coarse, fresnel, follow, None, Threads::One);
+                let points = exponents.iter().map(|ln_s| [*ln_s, alpha, eta]);
+                Chain {
+                    fresnel,
+                    limits: space.limits,
+                    alpha,
+                    eta,
+                    along: points.map(|point| objective.error(point)).collect(),
+                }
+            })
         })
         .collect();
-    best_minima(&grid)
+    let starts = best_minima(&found);
+    for chain in found {
+        let at = (chain.alpha, chain.eta);
+        if !grid
+            .0
+            .iter()
+            .any(|known| known.is_of(space, &exponents, at))
+        {
+            grid.0.push(chain);
+        }
+    }
+    starts
 }
 
 /// ln s, evenly; the value alone where it is held.
@@ -59,9 +110,9 @@ fn choices((low, high): (f64, f64), all: &[f64]) -> Vec<f64> {
 }
 
 /// Of every chain over s the minima; of all these the best that are not near one another.
-fn best_minima(grid: &[Vec<Candidate>]) -> Vec<Candidate> {
+fn best_minima(grid: &[Chain]) -> Vec<Candidate> {
     let mut minima: Vec<Candidate> = Vec::new();
-    for chain in grid {
+    for Chain { along: chain, .. } in grid {
         for (k, candidate) in chain.iter().enumerate() {
             let lower = |other: Option<&Candidate>| {
                 other.is_none_or(|other| candidate.error <= other.error)

@@ -142,6 +142,14 @@ pub(in crate::app) fn release_model(state: &mut State) {
     }
 }
 
+/// Stops the run if it moves the model of this material, shown or not: another model is laid over it.
+pub(in crate::app) fn release_model_of(state: &mut State, material: MaterialId) {
+    let drives = |run: &Run| run.material == material && run.drives_model();
+    if state.fit.run.as_ref().is_some_and(drives) {
+        stop(state);
+    }
+}
+
 /// Stops the run of a material that is closed, and forgets it.
 pub(in crate::app) fn forget(state: &mut State, material: MaterialId) {
     if let Some(run) = state.fit.run.take_if(|run| run.material == material) {

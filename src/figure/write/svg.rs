@@ -49,9 +49,7 @@ fn style(drawing: &Drawing) -> String {
         .collect();
     let mut style = String::new();
     // Without it a viewer takes what it has under the name.
-    let part = font_subset::Font::opentype(font::BYTES)
-        .and_then(|whole| Ok(whole.subset(&used)?.to_opentype()));
-    if let (Ok(part), false) = (part, used.is_empty()) {
+    if let Some(part) = part_of_font(used) {
         let _ = writeln!(
             style,
             "@font-face {{ font-family: '{}'; src: url(data:font/ttf;base64,{}); }}",
@@ -65,6 +63,16 @@ fn style(drawing: &Drawing) -> String {
         font::FAMILY
     );
     style
+}
+
+/// The font with some letters alone; `None` where it has none of them.
+fn part_of_font(mut letters: BTreeSet<char>) -> Option<Vec<u8>> {
+    let whole = font_subset::Font::opentype(font::BYTES).ok()?;
+    letters.retain(|letter| whole.contains_char(*letter));
+    if letters.is_empty() {
+        return None;
+    }
+    Some(whole.subset(&letters).ok()?.to_opentype())
 }
 
 fn draw(out: &mut String, item: &Item, paper: &Paper) {

@@ -100,6 +100,22 @@ fn the_font_in_an_svg_has_the_letters_that_are_used() {
 }
 
 #[test]
+fn text_that_the_font_lacks_or_that_is_not_there_is_no_harm() {
+    let mut none = paper();
+    none.drawing
+        .items
+        .retain(|item| !matches!(item, Item::Text(_)));
+    assert!(!svg::svg(&none).contains("@font-face"));
+    let mut foreign = none.clone();
+    let text = RichText::literal("\u{6728}\u{e000}");
+    let label = Label::new(text, [9.0; 2], Anchor::LEFT, 8.0, RED);
+    foreign.drawing.items.push(Item::Text(label));
+    for paper in [none, foreign] {
+        assert!(pixels(&paper, 72.0).is_ok() && pdf::pdf(&paper).is_ok());
+    }
+}
+
+#[test]
 fn corners_of_lines_are_where_the_drawing_has_them() {
     let text = svg::svg(&paper());
     assert!(text.contains("M40 20L60.123 20L60 40\""), "{text}");

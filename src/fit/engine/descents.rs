@@ -39,12 +39,20 @@ impl<'a> Level<'a> {
         }
     }
 
-    /// The last word.
+    /// To come near where all cells have a say, before another stage goes on.
     fn all(problem: &'a Problem) -> Self {
         Self {
             sites: &problem.all,
             threads: Threads::Many,
-            ..Self::medium(problem)
+            ..Self::coarse(problem)
+        }
+    }
+
+    /// The last word.
+    fn last(problem: &'a Problem) -> Self {
+        Self {
+            tolerance: 1e-5,
+            ..Self::all(problem)
         }
     }
 }
@@ -120,7 +128,11 @@ impl<'a> Engine<'a, '_> {
     /// A descent on the larger sample and then on all cells.
     pub(super) fn descend_levels(&mut self, start: &Candidate, follow: Follow) -> Candidate {
         let near = std::iter::once((*start, None));
-        let ends = self.descend_side_by_side(near, &Level::medium(self.problem), follow);
+        let alone = Level {
+            threads: Threads::Many,
+            ..Level::medium(self.problem)
+        };
+        let ends = self.descend_side_by_side(near, &alone, follow);
         match ends.first() {
             Some((end, curvature)) if !self.cancelled => self.descend_all(end, *curvature, follow),
             Some((end, _)) => *end,
@@ -135,7 +147,11 @@ impl<'a> Engine<'a, '_> {
         curvature: Option<DMat3>,
         follow: Follow,
     ) -> Candidate {
-        let level = Level::all(self.problem);
+        let level = if self.is_last() {
+            Level::last(self.problem)
+        } else {
+            Level::all(self.problem)
+        };
         let rules = self.rules(&level);
         let mut objective = self.objective(level.sites, follow, Some(start));
         let mut evaluate = |p: DVec3| {
