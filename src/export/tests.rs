@@ -1,1 +1,151 @@
+use super::preset::{Options, PRESETS, Preset, PresetMaterial};
+use super::{
+    FigureSpec, Format, Opened, Prepared, SubjectSource, open_from_files, prepare, spec_beside,
+};
+use crate::brdf::{Brdf, Fresnel, MODELS, Params};
+use crate::figure::page::{SphereShow, Style, ViewSpec};
+use crate::figure::scale::RadialScale;
+use crate::geom::sphere::SphereView;
+use crate::measured::Lookup;
+use std::ops::ControlFlow;
+use std::path::Path;
 
+fn options() -> Options {
+    Options {
+        model: MODELS[2],
+        fresnel: Fresnel::Exact,
+        theta_i: vec![0.5, 1.0],
+        scale: None,
+        view: SphereView::default(),
+        style: Style {
+            dpi: 40.0,
+            width_mm: 40.0,
+            ..Style::default()
+        },
+    }
+}
+
+fn materials(preset: &Preset, names: &[&str]) -> Vec<PresetMaterial> {
+    let model = |variant: crate::fit::Variant| Brdf {
+        model: variant.model,
+        fresnel: variant.fresnel,
+        params: Params::default(),
+    };
+    let material = |name: &&str| PresetMaterial {
+        name: (*name).into(),
+        source: SubjectSource::Sample {
+            key: "violet-felt".into(),
+            lookup: Lookup::Nearest,
+        },
+        models: preset.variants(&options()).into_iter().map(model).collect(),
+    };
+    names.iter().map(material).collect()
+}
+
+fn prepared(spec: &FigureSpec) -> Prepared {
+    let mut opened = Opened::new();
+    let mut table = |source: &_| open_from_files(source, Path::new(""), false, &mut opened);
+    prepare(spec, &mut table, &mut || ControlFlow::Continue(())).expect("is prepared")
+}
+
+#[test]
+fn every_preset_is_read_back_and_names_subjects_that_are_there() {
+    for preset in &PRESETS {
+        let spec = preset.figure(&materials(preset, &["a", "b"]), &options());
+        let again = FigureSpec::from_json(&spec.to_json()).expect("is read");
+        assert_eq!(again.settled(), again, "{}", preset.key);
+        let panels: Vec<_> = spec.rows.iter().flat_map(|row| &row.panels).collect();
+        assert!(!panels.is_empty());
+        for panel in panels {
+            assert!(panel.subjects.iter().all(|at| *at < spec.subjects.len()));
+            // Each panel has subjects of one material, but the scatter.
+            let one = panel.subjects.iter().all(|at| {
+                let per = spec.subjects.len() / 2;
+                at / per == panel.subjects[0] / per
+            });
+            assert!(one || preset.key == "scatter", "{}", preset.key);
+        }
+        assert!(Preset::by_key(preset.key).is_some_and(|found| found.key == preset.key));
+    }
+    assert!(Preset::by_key("picture").is_none());
+}
+
+#[test]
+fn the_poster_has_a_sphere_and_lobes_of_everything() {
+    let preset = Preset::by_key("poster").expect("a preset");
+    let spec = preset.figure(&materials(preset, &["a", "b"]), &options());
+    assert_eq!(spec.rows.len(), 4);
+    assert_eq!(spec.subjects.len(), 8);
+    for (spheres, lobes) in [(0, 1), (2, 3)] {
+        let shows: Vec<SphereShow> = spec.rows[spheres]
+            .panels
+            .iter()
+            .filter_map(|panel| match &panel.view {
+                ViewSpec::Sphere(spec) => Some(spec.show),
+                _ => None,
+            })
+            .collect();
+        let model = SphereShow::Model;
+        assert_eq!(shows, [SphereShow::Measured, model, model, model]);
+        // What was measured is under every model too.
+        let data = spec.rows[spheres].panels[0].subjects[0];
+        assert!(
+            spec.rows[lobes]
+                .panels
+                .iter()
+                .all(|panel| panel.subjects[0] == data)
+        );
+    }
+}
+
+#[test]
+fn a_sphere_alone_is_an_exr_and_other_figures_are_not() {
+    let preset = Preset::by_key("sphere").expect("a preset");
+    let spec = preset.figure(&materials(preset, &["a"]), &options());
+    let prepared_sphere = prepared(&spec);
+    let page = spec.draw(&prepared_sphere).expect("a page");
+    let bytes = Format::Exr
+        .bytes(&spec, &prepared_sphere, &page)
+        .expect("an EXR");
+    let picture = image::load_from_memory(&bytes)
+        .expect("an EXR")
+        .to_rgba32f();
+    assert_eq!(picture.dimensions(), (63, 63));
+    assert!(picture.pixels().any(|pixel| pixel[0] > 0.01));
+    assert!(Format::Csv.bytes(&spec, &prepared_sphere, &page).is_err());
+    let two = preset.figure(&materials(preset, &["a", "b"]), &options());
+    let prepared_two = prepared(&two);
+    let page = two.draw(&prepared_two).expect("a page");
+    let said = Format::Exr.bytes(&two, &prepared_two, &page);
+    assert!(said.expect_err("two").to_string().contains("one sphere"));
+}
+
+#[test]
+fn a_scale_that_is_asked_for_is_that_of_all_lobes() {
+    let preset = Preset::by_key("lobes").expect("a preset");
+    let asked = Options {
+        scale: Some(RadialScale::Log),
+        ..options()
+    };
+    let spec = preset.figure(&materials(preset, &["a", "b"]), &asked);
+    for panel in spec.rows.iter().flat_map(|row| &row.panels) {
+        let ViewSpec::Lobes(lobes) = &panel.view else {
+            panic!("{panel:?}");
+        };
+        assert_eq!(lobes.scale, RadialScale::Log);
+        assert_eq!(lobes.theta_i, [0.5, 1.0]);
+    }
+}
+
+#[test]
+fn a_format_is_that_of_the_name_and_the_spec_is_beside() {
+    let of = |name: &str| Format::of_path(Path::new(name));
+    assert_eq!(of("a/b.SVG"), Some(Format::Svg));
+    assert_eq!(of("b.exr"), Some(Format::Exr));
+    assert_eq!(of("b.gif"), None);
+    assert_eq!(of("svg"), None);
+    assert_eq!(
+        spec_beside(Path::new("a/b.pdf")),
+        Path::new("a/b.figure.json")
+    );
+}

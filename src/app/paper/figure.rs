@@ -184,10 +184,7 @@ impl<'a> Maker<'a> {
                 let view = &scene.lobe3d;
                 let spec = Lobe3dSpec {
                     theta_i: self.state.probe().map_or(view.theta_i, |p| p.theta_i()),
-                    scale: view.scale,
-                    with_cosine: view.with_cosine,
-                    channel: view.channel,
-                    camera: view.camera,
+                    ..*view
                 };
                 vec![of(ViewSpec::Lobe3d(spec), &self.plotted)]
             }

@@ -114,11 +114,11 @@ pub enum SphereShow {
     Error(SphereError),
 }
 
-/// Lobes in space on paper.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+/// Lobes in space.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Lobe3dSpec {
-    /// Angle of incidence in radians.
+    /// Angle of incidence in radians; in the window that where there is no probe.
     #[serde(with = "degrees")]
     pub theta_i: f64,
     /// Radius per f_r.
