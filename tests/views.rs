@@ -13,7 +13,7 @@ use grazing::geom::directions::{phi, theta};
 use grazing::measured::lookup::Lookup;
 use program::{Folder, grazing, succeeded};
 use std::fmt::Write as _;
-use std::path::PathBuf;
+use std::path::Path;
 use std::sync::Arc;
 
 /// Cells of the image slice, as bins of θh and θd.
@@ -29,7 +29,7 @@ const CELLS: [(usize, usize); 8] = [
 ];
 
 /// R, G, B of `grazing eval` for the cells of a picture, empty where it prints none.
-fn eval(folder: &Folder, source: &PathBuf, spec: &ImageSpec) -> Vec<Option<[f64; 3]>> {
+fn eval(folder: &Folder, source: &Path, spec: &ImageSpec) -> Vec<Option<[f64; 3]>> {
     let mut rows = "theta_i,phi_i,theta_o,phi_o\n".to_string();
     for (h, d) in CELLS {
         let (wi, wo) = spec.angles(h, d).to_directions();
@@ -43,7 +43,7 @@ fn eval(folder: &Folder, source: &PathBuf, spec: &ImageSpec) -> Vec<Option<[f64;
     let rows = folder.file("rows.csv", rows);
     let text = succeeded(&grazing(&[
         &"eval",
-        source,
+        &source,
         &"--directions",
         &rows,
         &"--lookup",
