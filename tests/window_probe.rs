@@ -160,7 +160,8 @@ fn a_mark_is_where_its_angles_are() {
     let theta_d = |probe: Probe| probe.angles().expect("angles").theta_d;
     // Lines and crosses go through the mark; of the one dot on the sphere both are in its middle within a pixel or two.
     let (theta_i, theta_o) = (probe.theta_i(), probe.signed_theta_o());
-    let cases: [(&str, &dyn Fn(Probe) -> f64, f64, f64); 7] = [
+    type Angle<'a> = &'a dyn Fn(Probe) -> f64;
+    let cases: [(&str, Angle, f64, f64); 7] = [
         ("Sphere", &theta_h, wanted.theta_h, 2.0),
         ("Slices", &Probe::signed_theta_o, theta_o, 0.8),
         ("Albedo", &Probe::theta_i, theta_i, 0.8),
