@@ -99,3 +99,53 @@ fn tiles_close_and_come_back() {
     let help = Pane::Lobes.row().help[0];
     window.get_by_label(help);
 }
+
+#[test]
+fn the_wheel_zooms_the_lobes_and_a_double_click_puts_them_back() {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = window(vec![], vec![]);
+    let rect = window
+        .get_by_role_and_label(Role::Image, "Polar lobes")
+        .rect();
+    let at = rect.center() + egui::vec2(30.0, 40.0);
+    let wheel = |window: &mut Window, by: f32| {
+        window.hover_at(at);
+        window.run_steps(1);
+        window.event(egui::Event::MouseWheel {
+            unit: egui::MouseWheelUnit::Point,
+            delta: egui::vec2(0.0, by),
+            phase: egui::TouchPhase::Move,
+            source: egui::MouseWheelSource::Wheel,
+            modifiers: Modifiers::NONE,
+        });
+        window.run_steps(12);
+        let limits = window.state().state().scene.lobes.limits;
+        limits.expect("limits")[1]
+    };
+    let near = wheel(&mut window, 120.0);
+    let far = wheel(&mut window, -240.0);
+    // 240 points are a factor of e; on this scale radii are cube roots.
+    assert!((far / near / 3f64.exp() - 1.0).abs() < 0.05, "{near} {far}");
+    run(&mut window, Command::Undo);
+    assert_eq!(
+        window
+            .state()
+            .state()
+            .scene
+            .lobes
+            .limits
+            .map(|ends| ends[1]),
+        Some(near)
+    );
+    for _ in 0..2 {
+        window.drag_at(at);
+        window.drop_at(at);
+        window.run_steps(1);
+    }
+    window.run_steps(3);
+    let state = window.state().state();
+    assert_eq!(state.scene.lobes.limits, None);
+    assert_eq!(state.pinned, None, "the second click lets go");
+}

@@ -140,6 +140,9 @@ pub struct LobeTile {
     pub with_cosine: bool,
     /// Which channel.
     pub channel: Channel,
+    /// The values in the middle and at the rim, in 1/sr, where the wheel has set them.
+    #[serde(default)]
+    pub limits: Option<[f64; 2]>,
 }
 
 /// An open material: the model over it.
@@ -206,6 +209,7 @@ impl Default for Scene {
                 scale: RadialScale::CubeRoot,
                 with_cosine: false,
                 channel: Channel::Luminance,
+                limits: None,
             },
             slices: SlicesView::default(),
             albedo: AlbedoView::default(),

@@ -178,9 +178,14 @@ impl ImageSpec {
             "f_{r}"
         };
         let (channel, scale) = (self.channel.name(), self.scale.phrase());
+        // A ratio has no unit.
+        let unit = match self.shown {
+            Shown::Measured | Shown::Model | Shown::Residual => " [sr^{−1}]",
+            Shown::Ratio => "",
+        };
         let bar_title = match self.shown {
-            Shown::Measured | Shown::Model => format!("{what} [sr^{{−1}}], {channel}, {scale}"),
-            Shown::Residual => format!("Δ{what} [sr^{{−1}}], {channel}, {scale}"),
+            Shown::Measured | Shown::Model => format!("{what}{unit}, {channel}, {scale}"),
+            Shown::Residual => format!("Δ{what}{unit}, {channel}, {scale}"),
             Shown::Ratio => format!("ratio of {what}, {channel}, log"),
         };
         let degrees = (10.0 * self.phi_d.to_degrees()).round() / 10.0;
@@ -192,7 +197,7 @@ impl ImageSpec {
         };
         HeatSpec {
             title: vec![
-                format!("{name}, {phrase}: {what} [sr^{{−1}}], {channel}, φ_{{d}} = {degrees}°"),
+                format!("{name}, {phrase}: {what}{unit}, {channel}, φ_{{d}} = {degrees}°"),
                 format!("{name}, {phrase}, {channel}, φ_{{d}} = {degrees}°"),
                 format!("{name}, {phrase}, φ_{{d}} = {degrees}°"),
                 format!("{phrase}, φ_{{d}} = {degrees}°"),

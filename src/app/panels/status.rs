@@ -102,10 +102,9 @@ fn probe_ui(ui: &mut egui::Ui, state: &State, probe: Probe) {
         ));
     }
     let (measured, model) = state.values_at(probe);
-    show(&format!(
-        "measured {}",
-        measured.map_or("not measured".into(), rgb)
-    ));
+    show(&measured.map_or("not measured".into(), |value| {
+        format!("measured {}", rgb(value))
+    }));
     show(&format!("model {}", model.map_or("–".into(), rgb)));
     if let (Some(measured), Some(model)) = (measured, model) {
         let ratio: Vec<String> = ratio(measured, model)

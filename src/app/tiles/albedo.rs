@@ -95,10 +95,8 @@ fn interact(
     let theta_i = theta_i.map(|theta_i| theta_i.clamp(0.0, MAX_THETA_I));
     // Of all directions of view the mirror's stands for the angle.
     let under = theta_i.map(|theta_i| Probe::in_plane(theta_i, theta_i));
-    if response.clicked()
-        && !response.double_clicked()
-        && let Some(probe) = under
-    {
+    // The second click of two lets go what the first has pinned.
+    if let Some(probe) = under.filter(|_| response.clicked()) {
         probe::pin(state, probe, out);
     }
     if !response.hovered() || zoom::is_panning(response) {

@@ -84,12 +84,10 @@ pub fn values_tooltip(
     let (measured, model) = state.values_at(probe);
     response.clone().on_hover_ui_at_pointer(|ui| {
         ui.label(format!("{head}, {}", channel.name()));
-        let text = |value: Option<Rgb>, none: &str| {
-            value.map_or(none.to_string(), |rgb| {
-                paint::plain(&number(channel.of(rgb)))
-            })
-        };
-        ui.label(format!("measured {}", text(measured, "not measured")));
-        ui.label(format!("model {}", text(model, "–")));
+        let text = |rgb: Rgb| paint::plain(&number(channel.of(rgb)));
+        ui.label(measured.map_or("not measured".into(), |rgb| {
+            format!("measured {}", text(rgb))
+        }));
+        ui.label(format!("model {}", model.map_or("–".into(), text)));
     });
 }

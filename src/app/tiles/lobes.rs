@@ -2,6 +2,7 @@
 
 use super::controls;
 use super::legend::legend_ui;
+use super::zoom;
 use crate::app::command::Command;
 use crate::app::paint;
 use crate::app::probe::{self, Probe};
@@ -11,7 +12,7 @@ use crate::app::update::Msg;
 use crate::figure::Point;
 use crate::figure::lobes::{LobePlot, LobeSpec};
 use crate::figure::palette::Palette;
-use crate::figure::scale::RADIAL_SCALES;
+use crate::figure::scale::{RADIAL_SCALES, RadialScale};
 use egui::{CursorIcon, PointerButton, Sense, Vec2};
 
 /// How near in points the pointer must be to a light's arrow to take it.
@@ -49,6 +50,11 @@ fn spec(tile: &LobeTile, probe: Option<Probe>) -> LobeSpec {
         probe: probe
             .zip(theta_i)
             .map(|(probe, theta_i)| probe.mark_in_plane(*theta_i)),
+        // Only a logarithm begins above 0; the limits may have been set on another scale.
+        limits: tile.limits.map(|[low, high]| match tile.scale {
+            RadialScale::Log => [low, high],
+            RadialScale::Linear | RadialScale::CubeRoot => [0.0, high],
+        }),
         ..LobeSpec::default()
     }
 }
@@ -179,14 +185,18 @@ fn interact(
         out.push(Msg::SetLobes(LobeTile {
             theta_i: scene.lobes.theta_i,
             active: scene.lobes.active,
+            limits: None,
             ..tile.clone()
         }));
-    } else if response.clicked() {
+    }
+    if response.clicked() {
         match near {
-            Some(active) => out.push(Msg::SetLobes(LobeTile {
+            Some(active) if !response.double_clicked() => out.push(Msg::SetLobes(LobeTile {
                 active,
                 ..tile.clone()
             })),
+            Some(_) => {}
+            // The second click of two lets go what the first has pinned.
             None => {
                 if let Some(probe) = probe_at(tile, plot, point) {
                     probe::pin(state, probe, out);
@@ -199,6 +209,15 @@ fn interact(
     }
     if near.is_some() {
         ui.ctx().set_cursor_icon(CursorIcon::Grab);
+    }
+    if let Some(limits) = zoom::wheel(ui)
+        .map(|factor| plot.frame.axis.zoomed(0.0, factor))
+        .and_then(|ends| zoom::not_negative(&plot.frame.axis, ends))
+    {
+        out.push(Msg::SetLobes(LobeTile {
+            limits: Some(limits),
+            ..tile.clone()
+        }));
     }
     let under = probe_at(tile, plot, point);
     probe::hover(state, under, out);

@@ -105,7 +105,7 @@ pub const PANES: &[Row] = &[
         name: "Polar lobes",
         help: [
             "f_r over the view angle in the plane of incidence: a curve per angle of incidence.",
-            "Light comes from the left. Drag a handle on the rim to move it; double click puts all back.",
+            "Light comes from the left. Drag a handle on the rim to move it, the wheel zooms; double click puts all back.",
             "Point to read values, click to pin. A click on a name hides it, a double click shows it alone.",
         ],
         home: Home::Lower,

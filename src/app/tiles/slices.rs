@@ -95,10 +95,8 @@ fn interact(
     };
     let point = (pointer - response.rect.min).into();
     let under = plot.x_at(point).and_then(|x| probe_at(spec, x));
-    if response.clicked()
-        && !response.double_clicked()
-        && let Some(probe) = under
-    {
+    // The second click of two lets go what the first has pinned.
+    if let Some(probe) = under.filter(|_| response.clicked()) {
         probe::pin(state, probe, out);
     }
     if !response.hovered() || zoom::is_panning(response) {

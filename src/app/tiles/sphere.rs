@@ -158,11 +158,11 @@ fn split_line(sphere: &OnScreen) -> Option<f32> {
 fn draw_split(ui: &egui::Ui, sphere: &OnScreen, x: f32) {
     let painter = ui.painter();
     let color = ui.visuals().strong_text_color();
-    painter.vline(
-        x,
-        sphere.rect.y_range(),
-        Stroke::new(1.0, color.gamma_multiply(0.75)),
-    );
+    // Light on dark and dark on light: the sphere may be either, whatever the theme.
+    for (width, color, opacity) in [(3.0, Color32::BLACK, 0.35), (1.0, Color32::WHITE, 0.8)] {
+        let stroke = Stroke::new(width, color.gamma_multiply(opacity));
+        painter.vline(x, sphere.rect.y_range(), stroke);
+    }
     let handle = Rect::from_center_size(pos2(x, sphere.rect.bottom() - 14.0), vec2(7.0, 20.0));
     painter.rect(
         handle,

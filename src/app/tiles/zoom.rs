@@ -56,6 +56,13 @@ pub fn gesture(ui: &egui::Ui, response: &egui::Response, frame: &Frame) -> Optio
     }
 }
 
+/// How much larger the wheel makes what it is turned over, with Ctrl or without.
+pub fn wheel(ui: &egui::Ui) -> Option<f64> {
+    let (wheel, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
+    let factor = (f64::from(wheel) / WHEEL).exp() * f64::from(pinch);
+    (factor != 1.0).then_some(factor)
+}
+
 /// Whether a drag that pans is under way, so that it is no search for values.
 pub fn is_panning(response: &egui::Response) -> bool {
     response.dragged_by(PointerButton::Primary)

@@ -164,6 +164,11 @@ fn data_and_model_have_the_same_colours() {
         spec(shown).heat_spec("x", &field, &reference).colors
     };
     assert_eq!(colors(Shown::Measured), colors(Shown::Model));
+    let unit = |shown| {
+        let field = spec(shown).field(Some(&data), Some(&model));
+        spec(shown).heat_spec("x", &field, &reference).title[0].contains("sr^")
+    };
+    assert_eq!(SHOWN.map(unit), [true, true, true, false]);
     assert!(matches!(colors(Shown::Residual), ColorScale::Signed(_)));
     assert!(matches!(colors(Shown::Ratio), ColorScale::Ratio(_)));
 }
