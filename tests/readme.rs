@@ -34,7 +34,8 @@ fn without_command(gallery: &str) -> Vec<&str> {
 
 fn gallery(readme: &str) -> &str {
     let (_, rest) = readme.split_once("## Gallery").expect("a gallery");
-    rest.split_once("\n## ").map_or(rest, |(gallery, _)| gallery)
+    rest.split_once("\n## ")
+        .map_or(rest, |(gallery, _)| gallery)
 }
 
 #[test]
@@ -55,5 +56,8 @@ fn every_picture_of_the_gallery_has_its_command() {
     assert_eq!(without_command(gallery(&readme)), Vec::<&str>::new());
     // Planted: a command that writes something else.
     let planted = readme.replace("-o lobes.png", "-o lobe.png");
-    assert_eq!(without_command(gallery(&planted)), ["assets/gallery/lobes.png"]);
+    assert_eq!(
+        without_command(gallery(&planted)),
+        ["assets/gallery/lobes.png"]
+    );
 }

@@ -42,8 +42,9 @@ pub fn error_map_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> boo
         brdf: opened.brdf,
     };
     let slot = &state.derived.error_map;
-    // A fit under way needs the cores itself.
-    if !state.current_run().is_some_and(Run::drives_model) {
+    // A fit under way needs the cores itself, and so do the frames of a drag: the map follows when it ends.
+    let dragged = ui.input(|input| input.pointer.any_down());
+    if !dragged && !state.current_run().is_some_and(Run::drives_model) {
         derived::want(slot, &wish, out);
     }
     let Some((made, fresh)) = slot.shown(&wish) else {
