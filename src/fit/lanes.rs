@@ -127,14 +127,19 @@ impl<S: Simd> Lanes<S> {
         Self::new(simd, simd.transmute_f32s_u32s(bits))
     }
 
-    /// c₀ + c₁ x + c₂ x² + …
+    /// c₀ + c₁ x + c₂ x² + …, even and odd powers apart: two chains that do not wait for each other.
     #[inline(always)]
     fn polynomial<const N: usize>(self, c: [f32; N]) -> Self {
-        let mut sum = Self::splat(self.simd, c[N - 1]);
-        for k in (0..N - 1).rev() {
-            sum = sum.mul_add(self, Self::splat(self.simd, c[k]));
-        }
-        sum
+        let square = self * self;
+        let powers_of_square = |parity: usize| {
+            let last = N - 1 - (N - 1 + parity) % 2;
+            let mut sum = Self::splat(self.simd, c[last]);
+            for k in (parity..last).step_by(2).rev() {
+                sum = sum.mul_add(square, Self::splat(self.simd, c[k]));
+            }
+            sum
+        };
+        powers_of_square(1).mul_add(self, powers_of_square(0))
     }
 
     /// ln(1 − v) for v = self in [0, 1], to 3e-7 of itself however small v is; ln of [`TINY`] at v = 1.
