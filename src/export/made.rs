@@ -38,7 +38,11 @@ fn of_landscape(
         .ok_or_else(|| unknown("fresnel", &spec.fresnel, "none, exact, schlick"))?;
     let eta = match (fresnel, spec.eta) {
         (Fresnel::None, _) => Eta::Fixed(1.0),
-        (_, Some(eta)) => Eta::Fixed(eta),
+        (_, Some(eta)) if eta >= 1.0 => Eta::Fixed(eta),
+        (_, Some(eta)) => {
+            let text = format!("eta is {eta}; expected at least 1, or null for the best one");
+            return Err(ExportError::Other(text));
+        }
         (_, None) => Eta::Solved,
     };
     let problem = Problem::new(table, weight(&spec.weight)?, spec.limit).map_err(no_problem)?;

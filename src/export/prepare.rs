@@ -20,7 +20,7 @@ pub struct Prepared {
     pub made: Vec<Option<Made>>,
 }
 
-/// Data in memory by the bytes of their file.
+/// Data in memory by the place of their file.
 pub type Opened = BTreeMap<PathBuf, Arc<Table>>;
 
 /// Opens the data of a figure and makes what its panels show. `table` gives the data of a measured file or of a

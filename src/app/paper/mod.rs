@@ -12,7 +12,6 @@ use super::update::Task;
 use crate::export::Format;
 use crate::figure::page::Style;
 use serde::{Deserialize, Serialize};
-use std::path::PathBuf;
 
 /// What a figure is set to, kept between runs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -64,7 +63,7 @@ pub enum PaperMsg {
 #[derive(Debug)]
 pub enum PaperTask {
     /// Ask where to, and write it; the proposed name.
-    Export(Drawable, Format, PathBuf),
+    Export(Drawable, Format, String),
     /// Put its picture on the clipboard; the name of the view.
     CopyPicture(Drawable, &'static str),
     /// Put its numbers on the clipboard.
@@ -97,7 +96,7 @@ pub(super) fn apply(state: &mut State, msg: PaperMsg) -> Vec<Task> {
             let drawable = figure_of(state, &state.views.chosen, prefs.columns, &prefs.style);
             if let Some(drawable) = drawable {
                 let name = default_name(state, &state.views.chosen);
-                let name = PathBuf::from(format!("{name}.{}", prefs.format.extension()));
+                let name = format!("{name}.{}", prefs.format.extension());
                 let format = prefs.format;
                 state.dialog = None;
                 return vec![Task::Paper(PaperTask::Export(drawable, format, name))];

@@ -17,7 +17,6 @@ use crate::figure::write::raster::{Pixels, pixels};
 use crate::files::FileError;
 use crate::measured::Table;
 use std::ops::ControlFlow;
-use std::path::PathBuf;
 use std::sync::Arc;
 
 /// Pictures in a preview have this many pixels to the inch at most: it is there sooner.
@@ -120,11 +119,10 @@ pub fn start(task: PaperTask, ctx: &egui::Context, outbox: &Outbox, picker: &Pic
 fn export(
     drawable: Drawable,
     format: Format,
-    name: PathBuf,
+    name: String,
     outbox: &Outbox,
     save: &Arc<SavePicker>,
 ) {
-    let name = name.display().to_string();
     ask_and_do(outbox, save, name, move |path| {
         // The name may say another format than the dialog.
         let format = Format::of_path(&path).unwrap_or(format);
