@@ -120,9 +120,9 @@ fn the_screen_and_the_paper_show_the_same_picture() {
                 Item::Line { points, .. } | Item::Fill { points, .. } => {
                     points.iter_mut().for_each(|point| point[0] += 3.0);
                 }
-                Item::Image { min, max, .. } => {
-                    min[0] += 3.0;
-                    max[0] += 3.0;
+                Item::Image(picture) => {
+                    picture.min[0] += 3.0;
+                    picture.max[0] += 3.0;
                 }
                 _ => {}
             }

@@ -61,16 +61,10 @@ pub fn paint(painter: &Painter, origin: Pos2, drawing: &Drawing, palette: &Palet
                 painter.circle(place(center), *radius, color(palette, *ink), stroke);
             }
             Item::Text(label) => paint_label(painter, place(&label.pos), label, palette),
-            Item::Image {
-                min,
-                max,
-                width,
-                height,
-                rgba,
-                smooth,
-            } => {
-                let rect = Rect::from_min_max(place(min), place(max));
-                paint_picture(painter, rect, [*width, *height], rgba, *smooth);
+            Item::Image(picture) => {
+                let rect = Rect::from_min_max(place(&picture.min), place(&picture.max));
+                let size = [picture.width, picture.height];
+                paint_picture(painter, rect, size, &picture.rgba, picture.smooth);
             }
         }
     }

@@ -27,7 +27,7 @@ pub(super) static MODEL: Model = Model {
 
 /// s reaches four times as far as in the other models, so that every look of theirs has its twin here.
 const S: Param = Param {
-    range: (0.4, 4e5),
+    range: (0.04, 4e5),
     domain: (4e-3, 4e7),
     default: 4.0 * params::S.default,
     ..params::S

@@ -176,11 +176,11 @@ pub const S: Param = Param {
     symbol: "s",
     name: "specular exponent",
     unit: "",
-    range: (0.1, 1e5),
+    range: (0.01, 1e5),
     domain: (1e-3, 1e7),
     default: 50.0,
     scale: Scale::Log {
-        smallest_exponent: -1,
+        smallest_exponent: -2,
     },
     help: "Shininess: the larger, the narrower the highlight.",
 };

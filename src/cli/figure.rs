@@ -13,7 +13,6 @@ use crate::figure::scale::{RADIAL_SCALES, RadialScale};
 use crate::files;
 use crate::geom::sphere::SphereView;
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use std::io::Write;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
@@ -160,7 +159,7 @@ fn exposure(text: &str) -> Result<f64, String> {
     }
 }
 
-pub fn run(args: &Args, _out: &mut dyn Write) -> Result<(), CliError> {
+pub fn run(args: &Args) -> Result<(), CliError> {
     let Some(format) = Format::of_path(&args.output) else {
         let known = FORMATS.map(|format| format!(".{}", format.extension()));
         return usage(format!(

@@ -74,7 +74,7 @@ pub fn main() -> ExitCode {
         Some(Command::Sample(args)) => sample::run(args, &mut out),
         Some(Command::Eval(args)) => eval::run(args, &mut out),
         Some(Command::Fit(args)) => fit::run(args, &mut out),
-        Some(Command::Figure(args)) => figure::run(args, &mut out),
+        Some(Command::Figure(args)) => figure::run(args),
         Some(Command::Render(args)) => render::run(args),
         Some(Command::Export(args)) => export::run(args, &mut out),
     };

@@ -54,20 +54,31 @@ pub enum Item {
     /// One line of text.
     Text(Label),
     /// A picture made of pixels.
-    Image {
-        /// Upper left corner.
-        min: Point,
-        /// Lower right corner.
-        max: Point,
-        /// Pixels in a row.
-        width: usize,
-        /// Rows.
-        height: usize,
-        /// Four bytes per pixel from the upper left, row by row: sRGB and opacity, not multiplied.
-        rgba: Arc<[u8]>,
-        /// Whether pixels run into one another where they are drawn larger, or have edges.
-        smooth: bool,
-    },
+    Image(Picture),
+}
+
+/// A picture made of pixels, and where it is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// Upper left corner.
+    pub min: Point,
+    /// Lower right corner.
+    pub max: Point,
+    /// Pixels in a row.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+    /// Four bytes per pixel from the upper left, row by row: sRGB and opacity, not multiplied.
+    pub rgba: Arc<[u8]>,
+    /// Whether pixels run into one another where they are drawn larger, or have edges.
+    pub smooth: bool,
+}
+
+impl Picture {
+    /// Whether there are pixels, and as many as it says.
+    pub fn is_whole(&self) -> bool {
+        !self.rgba.is_empty() && self.rgba.len() == 4 * self.width * self.height
+    }
 }
 
 /// One line of text and where it stands.

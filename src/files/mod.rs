@@ -188,6 +188,11 @@ pub fn read_text(path: &Path) -> Result<String, FileError> {
             "the file is far too large for this; expected JSON",
         ));
     }
+    rest_as_text(&mut file, path)
+}
+
+/// What is left of a file, without a byte order mark.
+fn rest_as_text(file: &mut File, path: &Path) -> Result<String, FileError> {
     let mut bytes = Vec::new();
     file.read_to_end(&mut bytes)
         .map_err(|error| FileError::io(path, "reading failed", &error))?;
@@ -227,15 +232,12 @@ fn read_table(file: File, len: u64, path: &Path, progress: Progress) -> Result<T
 
 /// The text of a JSON file; `None` if it is something else.
 fn json_text(file: &mut File, path: &Path) -> Result<Option<String>, FileError> {
-    let io = |error| FileError::io(path, "reading failed", &error);
-    if !starts_as_json(file).map_err(io)? {
-        return Ok(None);
+    let found = starts_as_json(file);
+    if found.map_err(|error| FileError::io(path, "reading failed", &error))? {
+        rest_as_text(file, path).map(Some)
+    } else {
+        Ok(None)
     }
-    let mut bytes = Vec::new();
-    file.read_to_end(&mut bytes).map_err(io)?;
-    let text = String::from_utf8(bytes)
-        .map_err(|_| FileError::new(path, "not valid JSON: it is no UTF-8 text"))?;
-    Ok(Some(text.trim_start_matches('\u{feff}').to_owned()))
 }
 
 /// A reader that hashes what goes through it.

@@ -2,7 +2,7 @@
 
 use super::layout::{Plan, TICK};
 use super::{Cell, Curve, CurveKind, Field, HeatFrame, HeatSpec, Spot, hatch, raster};
-use crate::figure::drawing::{Anchor, Drawing, Item, LINE_HEIGHT, Label, Point};
+use crate::figure::drawing::{Anchor, Drawing, Item, LINE_HEIGHT, Label, Picture, Point};
 use crate::figure::mark::Mark;
 use crate::figure::palette::{Ink, Role};
 use crate::figure::placing::Placing;
@@ -126,14 +126,14 @@ fn bar(drawing: &mut Drawing, spec: &HeatSpec, plan: &Plan) {
             [r, g, b, 255]
         })
         .collect();
-    drawing.items.push(Item::Image {
+    drawing.items.push(Item::Image(Picture {
         min: plan.bar[0],
         max: plan.bar[1],
         width: 1,
         height: BAR_STEPS,
         rgba: rgba.into(),
         smooth: true,
-    });
+    }));
     let ink = Ink::from(Role::Muted).faded(0.8);
     drawing.line(rectangle(plan.bar), 1.0, ink);
     for tick in &plan.bar_ticks {

@@ -1,7 +1,7 @@
 //! The cells as a picture.
 
 use super::{Cell, ColorScale, Field, HeatFrame, position};
-use crate::figure::drawing::Item;
+use crate::figure::drawing::{Item, Picture};
 
 /// Shades of a map that are told apart.
 const SHADES: usize = 1024;
@@ -49,14 +49,14 @@ pub(super) fn image(
             rgba.extend(cell);
         }
     }
-    Some(Item::Image {
+    Some(Item::Image(Picture {
         min: frame.min,
         max: frame.max,
         width: columns.len(),
         height: rows.len(),
         rgba: rgba.into(),
         smooth,
-    })
+    }))
 }
 
 /// For every pixel the cell that it shows: one per cell where all are in sight and of the same size.

@@ -44,7 +44,7 @@ fn corners(item: &Item) -> Vec<Point> {
         Item::Line { points, .. } | Item::Fill { points, .. } => points.clone(),
         Item::Dot { center, .. } => vec![*center],
         Item::Text(label) => vec![label.pos],
-        Item::Image { min, max, .. } => vec![*min, *max],
+        Item::Image(picture) => vec![picture.min, picture.max],
     }
 }
 
@@ -114,18 +114,13 @@ fn a_cell_is_found_by_its_values() {
 /// The colours of the picture at shares of the frame from its upper left corner.
 fn color_at(map: &HeatMap, [x, y]: [f32; 2]) -> [u8; 4] {
     let image = map.drawing.items.iter().find_map(|item| match item {
-        Item::Image {
-            width,
-            height,
-            rgba,
-            min,
-            ..
-        } if *min == map.frame.min => Some((*width, *height, rgba)),
+        Item::Image(picture) if picture.min == map.frame.min => Some(picture),
         _ => None,
     });
-    let (width, height, rgba) = image.expect("a picture");
-    let at = (x * width as f32) as usize + (y * height as f32) as usize * width;
-    std::array::from_fn(|k| rgba[4 * at + k])
+    let image = image.expect("a picture");
+    let [column, row] = [x * image.width as f32, y * image.height as f32].map(|at| at as usize);
+    let at = column + row * image.width;
+    std::array::from_fn(|k| image.rgba[4 * at + k])
 }
 
 #[test]

@@ -4,7 +4,7 @@
 //! front of solids and weak behind them. Several samples a pixel make the edges soft.
 
 use super::{Lobes, Projection, SpaceLine, ground, wires};
-use crate::figure::drawing::Item;
+use crate::figure::drawing::{Item, Picture};
 use crate::figure::palette::{Palette, Role};
 use glam::{DVec2, DVec3};
 use image::RgbaImage;
@@ -67,14 +67,14 @@ pub fn picture(
     let bytes = canvas.bytes();
     let large = RgbaImage::from_raw(width, height, bytes).unwrap_or_default();
     let small = resize(&large, pixels[0], pixels[1], FilterType::Triangle);
-    Item::Image {
+    Item::Image(Picture {
         min: [0.0; 2],
         max: size,
         width: pixels[0] as usize,
         height: pixels[1] as usize,
         rgba: straight(small).into(),
         smooth: true,
-    }
+    })
 }
 
 /// Pixels with depth, the larger the nearer; premultiplied.

@@ -329,7 +329,7 @@ fn every_size_is_drawn_with_finite_numbers() {
                     Item::Line { points, .. } | Item::Fill { points, .. } => points.clone(),
                     Item::Dot { center, .. } => vec![*center],
                     Item::Text(label) => vec![label.pos],
-                    Item::Image { min, max, .. } => vec![*min, *max],
+                    Item::Image(picture) => vec![picture.min, picture.max],
                 };
                 assert!(points.iter().flatten().all(|x| x.is_finite()));
             }

@@ -1,6 +1,6 @@
 //! Drawings put on a page: moved, scaled, with lines of another width.
 
-use crate::figure::drawing::{Drawing, Item, Label, Point};
+use crate::figure::drawing::{Drawing, Item, Label, Picture, Point};
 use crate::figure::write::POINTS_PER_MM;
 use image::RgbaImage;
 use image::imageops::{FilterType, resize};
@@ -53,66 +53,31 @@ pub(super) fn place(page: &mut Drawing, drawing: Drawing, how: Placing) {
             size: how.scale * label.size,
             ..label
         }),
-        Item::Image {
-            min,
-            max,
-            width,
-            height,
-            rgba,
-            smooth,
-        } => {
-            let (min, max) = (at(min), at(max));
-            let image = Item::Image {
-                min,
-                max,
-                width,
-                height,
-                rgba,
-                smooth,
-            };
-            if smooth { finer(image, how.dpi) } else { image }
+        Item::Image(mut picture) => {
+            (picture.min, picture.max) = (at(picture.min), at(picture.max));
+            if picture.smooth {
+                refine(&mut picture, how.dpi);
+            }
+            Item::Image(picture)
         }
     });
     page.items.extend(items);
 }
 
-/// A picture with enough pixels for print: viewers of files differ in how they fill in between.
-fn finer(item: Item, dpi: f64) -> Item {
+/// Gives a picture enough pixels for print: viewers of files differ in how they fill in between.
+fn refine(picture: &mut Picture, dpi: f64) {
     const MOST: u32 = 4096;
-    let Item::Image {
-        min,
-        max,
-        width,
-        height,
-        rgba,
-        smooth,
-    } = item
-    else {
-        return item;
-    };
-    let wanted = |k: usize| (pixels(max[k] - min[k], dpi) as u32).min(MOST);
+    let [width, height] = [picture.width as u32, picture.height as u32];
+    let wanted = |k: usize| (pixels(picture.max[k] - picture.min[k], dpi) as u32).min(MOST);
     let (wide, high) = (wanted(0), wanted(1));
-    let whole = RgbaImage::from_raw(width as u32, height as u32, rgba.to_vec());
-    match whole {
-        Some(picture) if (width as u32) < wide && (height as u32) < high && width * height > 0 => {
-            let larger = resize(&picture, wide, high, FilterType::Triangle);
-            Item::Image {
-                min,
-                max,
-                width: wide as usize,
-                height: high as usize,
-                rgba: larger.into_raw().into(),
-                smooth,
-            }
-        }
-        _ => Item::Image {
-            min,
-            max,
-            width,
-            height,
-            rgba,
-            smooth,
-        },
+    if !picture.is_whole() || width >= wide || height >= high {
+        return;
+    }
+    if let Some(coarse) = RgbaImage::from_raw(width, height, picture.rgba.to_vec()) {
+        (picture.width, picture.height) = (wide as usize, high as usize);
+        picture.rgba = resize(&coarse, wide, high, FilterType::Triangle)
+            .into_raw()
+            .into();
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::panel::{Drawn, Input};
 use super::{PageSpec, SphereShow, SphereSpec, ViewSpec};
-use crate::figure::drawing::{Anchor, Drawing, Item, Label, font_size};
+use crate::figure::drawing::{Anchor, Drawing, Item, Label, Picture, font_size};
 use crate::figure::palette::Role;
 use crate::figure::sphere_image::{
     PIXEL, SphereSource, error_colors, error_names, error_ticks, error_unit, render,
@@ -36,14 +36,14 @@ pub(super) fn sphere(spec: &SphereSpec, input: &Input) -> Drawn {
     let max = [min[0] + side, min[1] + side];
     let size = ((side * input.density).ceil() as usize).clamp(1, MOST);
     let picture = render(&source, &spec.view, size);
-    drawing.items.push(Item::Image {
+    drawing.items.push(Item::Image(Picture {
         min,
         max,
         width: size,
         height: size,
         rgba: picture.to_rgba8().into(),
         smooth: true,
-    });
+    }));
     let mut word = |text: &str, x: f32, anchor: f32| {
         let anchor = Anchor { x: anchor, y: 0.0 };
         let text = RichText::literal(text);
@@ -136,14 +136,14 @@ fn draw_bar(
     });
     let rgba: Vec<u8> = shades.collect();
     debug_assert_eq!(rgba.len(), PIXEL * SHADES);
-    drawing.items.push(Item::Image {
+    drawing.items.push(Item::Image(Picture {
         min,
         max,
         width: 1,
         height: SHADES,
         rgba: rgba.into(),
         smooth: false,
-    });
+    }));
     let mut put = |text: RichText, at: [f32; 2], anchor: Anchor| {
         let label = Label::new(text, at, anchor, 0.9 * font, Role::Muted);
         drawing.items.push(Item::Text(label));

@@ -184,9 +184,7 @@ fn a_sphere_has_the_pixels_that_print_needs() {
         };
         let drawing = page(vec![row(vec![sphere.clone()])], style);
         drawing.items.iter().find_map(|item| match item {
-            Item::Image {
-                width, min, max, ..
-            } => Some((*width, max[0] - min[0])),
+            Item::Image(picture) => Some((picture.width, picture.max[0] - picture.min[0])),
             _ => None,
         })
     };

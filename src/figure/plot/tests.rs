@@ -48,7 +48,7 @@ pub(in crate::figure) fn strays(drawing: &Drawing) -> bool {
         let points = match item {
             Item::Line { points, .. } | Item::Fill { points, .. } => points.clone(),
             Item::Dot { center, .. } => vec![*center],
-            Item::Image { min, max, .. } => vec![*min, *max],
+            Item::Image(picture) => vec![picture.min, picture.max],
             Item::Text(label) => vec![label.pos],
         };
         points.iter().any(|point| {

@@ -82,19 +82,13 @@ fn draw(surface: &mut Surface, item: &Item, paper: &Paper, font: &Font) {
             shape(surface, circle(*center, *radius), Some(inside), rim);
         }
         Item::Text(label) => text(surface, label, paper, font),
-        Item::Image {
-            min,
-            max,
-            width,
-            height,
-            rgba,
-            smooth: _,
-        } => {
-            let size = Size::from_wh(max[0] - min[0], max[1] - min[1]);
-            let whole = rgba.len() == 4 * width * height && *width > 0 && *height > 0;
-            if let (Some(size), true) = (size, whole) {
-                let image = Image::from_rgba8(rgba.to_vec(), *width as u32, *height as u32);
-                surface.push_transform(&Transform::from_translate(min[0], min[1]));
+        Item::Image(picture) => {
+            let ([left, top], [right, bottom]) = (picture.min, picture.max);
+            let size = Size::from_wh(right - left, bottom - top);
+            if let (Some(size), true) = (size, picture.is_whole()) {
+                let (width, height) = (picture.width as u32, picture.height as u32);
+                let image = Image::from_rgba8(picture.rgba.to_vec(), width, height);
+                surface.push_transform(&Transform::from_translate(left, top));
                 surface.draw_image(image, size);
                 surface.pop();
             }

@@ -1,7 +1,7 @@
 //! A drawing as SVG. Text stays text; the letters that it uses are carried along as a font.
 
 use super::{CREATOR, POINTS_PER_MM, Paper, font};
-use crate::figure::drawing::{Drawing, Item, Label, Point};
+use crate::figure::drawing::{Drawing, Item, Label, Picture, Point};
 use crate::figure::palette::{Ink, Palette, Role};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
@@ -119,26 +119,24 @@ fn draw(out: &mut String, item: &Item, paper: &Paper) {
             );
         }
         Item::Text(label) => text(out, label, paper),
-        Item::Image {
-            min,
-            max,
-            width,
-            height,
-            rgba,
-            smooth,
-        } => {
-            let Some(png) = png(rgba, [*width, *height]) else {
+        Item::Image(picture) => {
+            let Some(png) = png(picture) else {
                 return;
             };
-            let rendering = if *smooth { "smooth" } else { "pixelated" };
+            let ([left, top], [right, bottom]) = (picture.min, picture.max);
+            let rendering = if picture.smooth {
+                "smooth"
+            } else {
+                "pixelated"
+            };
             let _ = writeln!(
                 out,
                 "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" \
                  style=\"image-rendering: {rendering}\" href=\"data:image/png;base64,{}\"/>",
-                number(min[0]),
-                number(min[1]),
-                number(max[0] - min[0]),
-                number(max[1] - min[1]),
+                number(left),
+                number(top),
+                number(right - left),
+                number(bottom - top),
                 BASE64.encode(png)
             );
         }
@@ -252,12 +250,11 @@ fn escaped(text: &str) -> String {
 }
 
 /// Rows of straight RGBA as PNG; `None` where the sizes do not fit.
-fn png(rgba: &[u8], [width, height]: [usize; 2]) -> Option<Vec<u8>> {
-    let picture = image::RgbaImage::from_raw(width as u32, height as u32, rgba.to_vec())?;
-    if picture.is_empty() {
-        return None;
-    }
+fn png(picture: &Picture) -> Option<Vec<u8>> {
+    let (width, height) = (picture.width as u32, picture.height as u32);
+    let pixels = image::RgbaImage::from_raw(width, height, picture.rgba.to_vec());
     let mut bytes = Cursor::new(Vec::new());
-    picture.write_to(&mut bytes, image::ImageFormat::Png).ok()?;
+    let pixels = pixels.filter(|_| picture.is_whole())?;
+    pixels.write_to(&mut bytes, image::ImageFormat::Png).ok()?;
     Some(bytes.into_inner())
 }

@@ -1,6 +1,6 @@
 use super::raster::{MOST_PIXELS, options, pixels, png};
 use super::{Paper, font, pdf, svg};
-use crate::figure::drawing::{Anchor, Drawing, Item, Label};
+use crate::figure::drawing::{Anchor, Drawing, Item, Label, Picture};
 use crate::figure::palette::{Ink, Palette, Role};
 use crate::figure::text::RichText;
 use base64::Engine as _;
@@ -23,14 +23,14 @@ fn paper() -> Paper {
         ink: Ink::from(BLUE).faded(0.5),
         outline: Some((2.0, RED.into())),
     });
-    drawing.items.push(Item::Image {
+    drawing.items.push(Item::Image(Picture {
         min: [70.0, 40.0],
         max: [90.0, 50.0],
         width: 2,
         height: 1,
         rgba: [255, 255, 0, 255, 0, 255, 255, 255].into(),
         smooth: false,
-    });
+    }));
     let mut label = Label::new(
         RichText::parse("ρ_{d}·cos θ_{i} < \"x\" & 10^{−3}"),
         [50.0, 52.0],
