@@ -24,6 +24,8 @@ const SIZE: [f32; 2] = [1280.0, 800.0];
 const WARM_UP: Duration = Duration::from_secs(3);
 const MEASURED: Duration = Duration::from_secs(3);
 const ROUNDS: usize = 3;
+/// Where the button is held: on the bar of the menu, where nothing else answers.
+const HAND: [f32; 2] = [800.0, 8.0];
 
 /// The window as it opens by default, the one with every tile side by side, the panels around nothing, a bare egui
 /// window, and a bare one with panels of the same sizes around an empty plot. Every other kind is the key of a tile.
@@ -145,6 +147,7 @@ fn window(kind: &str) {
             frames: 0,
             started: Instant::now(),
             first: None,
+            held: false,
             s: 1.0,
         }) as Box<dyn eframe::App>)
     });
@@ -188,6 +191,7 @@ struct Driver {
     frames: usize,
     started: Instant,
     first: Option<Instant>,
+    held: bool,
     s: f64,
 }
 
@@ -205,6 +209,25 @@ impl Driver {
 }
 
 impl eframe::App for Driver {
+    /// The button that holds the slider: what views leave for the end of a drag, they leave here too.
+    fn raw_input_hook(&mut self, _ctx: &egui::Context, input: &mut egui::RawInput) {
+        if self.first.is_none() {
+            return;
+        }
+        let place = |step: usize| egui::pos2(HAND[0] + (step % 2) as f32, HAND[1]);
+        input
+            .events
+            .push(egui::Event::PointerMoved(place(self.frames)));
+        if !std::mem::replace(&mut self.held, true) {
+            input.events.push(egui::Event::PointerButton {
+                pos: place(self.frames),
+                button: egui::PointerButton::Primary,
+                pressed: true,
+                modifiers: egui::Modifiers::NONE,
+            });
+        }
+    }
+
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
         ctx.request_repaint();
