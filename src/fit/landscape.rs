@@ -12,8 +12,9 @@ use crate::brdf::{Brdf, Fresnel, MODELS, Model, ParamId, Params, params};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 
-/// Points along ln s and along α, from coarse to fine; each grid holds the one before.
-pub const GRIDS: [(usize, usize); 3] = [(9, 5), (17, 9), (33, 17)];
+/// Points along ln s and along α, from coarse to fine; each grid holds the one before, and the first a point at every
+/// decade of s.
+pub const GRIDS: [(usize, usize); 3] = [(8, 5), (15, 9), (29, 17)];
 
 /// How many nodes are made between two questions whether to go on.
 const BATCH: usize = 16;

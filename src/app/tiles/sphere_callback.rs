@@ -14,7 +14,7 @@ use eframe::egui_wgpu::{
 use eframe::wgpu;
 use egui::PaintCallbackInfo;
 use std::collections::HashMap;
-use std::sync::{Arc, Weak};
+use std::sync::{Arc, OnceLock, Weak};
 
 /// How many tables stay on the GPU.
 const TEXTURES: usize = 4;
@@ -43,10 +43,19 @@ impl Half {
     }
 }
 
-/// Prepares the renderer, once.
+/// Prepares the renderer, once. Pipelines take long to compile: meanwhile the window opens and a material is read.
 pub fn install(render_state: &RenderState) {
-    let pass = SpherePass::new(&render_state.device, render_state.target_format);
+    let format = render_state.target_format;
+    let pass = Arc::new(OnceLock::new());
+    let (making, device) = (Arc::clone(&pass), render_state.device.clone());
+    // Where no thread can be started, the first frame with a sphere makes it.
+    let _ = std::thread::Builder::new()
+        .name("sphere".into())
+        .spawn(move || {
+            making.get_or_init(|| SpherePass::new(&device, format));
+        });
     let kept = Kept {
+        format,
         pass,
         tables: HashMap::new(),
         slots: HashMap::new(),
@@ -111,7 +120,8 @@ type Key = (Option<MaterialId>, bool);
 
 /// What stays on the GPU.
 struct Kept {
-    pass: SpherePass,
+    format: wgpu::TextureFormat,
+    pass: Arc<OnceLock<SpherePass>>,
     /// With the data they are of.
     tables: HashMap<Option<MaterialId>, (Weak<Table>, TableTexture)>,
     slots: HashMap<Key, SphereSlot>,
@@ -135,6 +145,7 @@ impl CallbackTrait for SphereCallback {
         resources: &mut CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
         let Some(Kept {
+            format,
             pass,
             tables,
             slots,
@@ -149,6 +160,7 @@ impl CallbackTrait for SphereCallback {
             false => self.kept.contains(id),
         });
         slots.retain(|(id, _), _| tables.contains_key(id));
+        let pass = pass.get_or_init(|| SpherePass::new(device, *format));
         let (_, table) = tables.entry(own).or_insert_with(|| {
             let texture = if self.table.valid_count() == 0 {
                 TableTexture::empty(device, queue)
@@ -171,12 +183,13 @@ impl CallbackTrait for SphereCallback {
         resources: &CallbackResources,
     ) {
         if let Some(kept) = resources.get::<Kept>()
+            && let Some(sphere) = kept.pass.get()
             && let Some(slot) = kept.slots.get(&self.key)
         {
             if self.compared {
-                kept.pass.draw_compared(pass, slot);
+                sphere.draw_compared(pass, slot);
             } else {
-                kept.pass.draw(pass, slot);
+                sphere.draw(pass, slot);
             }
         }
     }
