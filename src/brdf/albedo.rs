@@ -184,12 +184,11 @@ fn breaks_mirrored(breaks: &mut Vec<f64>, end: f64) {
 /// What is left of a lobe when its tail is no longer followed. The Fresnel factor may be 1e9 times larger there.
 const NEGLIGIBLE: f64 = 1e-20;
 
-/// Nodes and weights of Gauss-Legendre with eight points on [−1, 1]; the other half is mirrored.
-const GAUSS: [(f64, f64); 4] = [
-    (0.183_434_642_495_649_8, 0.362_683_783_378_362),
-    (0.525_532_409_916_329, 0.313_706_645_877_887_3),
-    (0.796_666_477_413_626_7, 0.222_381_034_453_374_48),
-    (0.960_289_856_497_536_3, 0.101_228_536_290_376_26),
+/// Nodes and weights of Gauss-Legendre with six points on [−1, 1]; the other half is mirrored.
+const GAUSS: [(f64, f64); 3] = [
+    (0.238_619_186_083_196_9, 0.467_913_934_572_691),
+    (0.661_209_386_466_264_5, 0.360_761_573_048_138_6),
+    (0.932_469_514_203_152_1, 0.171_324_492_379_170_4),
 ];
 
 /// ∫ f over the panels between the breaks.
