@@ -12,7 +12,7 @@ mod space;
 
 pub use camera::{Camera, Projection};
 pub use lobes::{Lobe, Lobes, Shape};
-pub use mesh::{LobeMesh, RINGS, SPOKES, layout, sample};
+pub use mesh::{Detail, LobeMesh, layout, sample};
 pub use overlay::Overlay;
 pub use raster::picture;
 pub use space::{SpaceFill, SpaceLine, ground, wires};

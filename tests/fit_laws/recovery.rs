@@ -1,7 +1,7 @@
 //! Data made from a model give its parameters back.
 
 use crate::making::{bell, distance, fit, kept, problem, table, table_of, variant};
-use grazing::brdf::{Brdf, Fresnel, ParamId, Params, fresnel::FRESNELS};
+use grazing::brdf::{Brdf, Fresnel, ParamId, Params, fresnel::FRESNELS, params};
 use grazing::fit::Options;
 use grazing::measured::Grid;
 use proptest::prelude::*;
@@ -119,4 +119,27 @@ fn another_material_is_not_mistaken_for_it() {
     let count = (0..Grid::FOLDED.len()).filter(|index| kept(*index, 8));
     let share = count.count() as f64 / Grid::FOLDED.len() as f64;
     assert!((share * 8.0 - 1.0).abs() < 0.05, "{share}");
+}
+
+#[test]
+fn a_lobe_with_hardly_any_exponent() {
+    let truth = variant("combined", Fresnel::Exact).with(Params {
+        rho_d: [0.1, 0.05, 0.02],
+        k_s: [2.0, 3.0, 4.0],
+        s: 0.03,
+        alpha: 0.3,
+        eta: 1.6,
+    });
+    let problem = problem(&table_of(&truth, 8));
+    let outcome = fit(&problem, (&truth).into(), &Options::default());
+    // Along the valley in which ρd, α and η make up for one another E is below a thousandth.
+    let found = outcome.errors.total;
+    assert!(found < 1e-3, "{outcome:?}");
+    // Planted: a bound of 0.1, which matte materials pass.
+    let mut options = Options::default();
+    let row = params::ALL.iter().position(|row| row.id == ParamId::S);
+    options.bounds[row.expect("a row")] = Some((0.1, 1e5));
+    let bounded = fit(&problem, (&truth).into(), &options);
+    let bounded = bounded.errors.total;
+    assert!(bounded > 3.0 * found, "{bounded} {found}");
 }

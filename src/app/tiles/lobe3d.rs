@@ -9,7 +9,7 @@ use crate::app::state::State;
 use crate::app::subjects::Subjects;
 use crate::app::update::Msg;
 use crate::app::views::lobe3d::Lobe3dView;
-use crate::figure::lobe3d::{Camera, Lobes, Overlay, Shape, pick};
+use crate::figure::lobe3d::{Camera, Detail, Lobes, Overlay, Shape, pick};
 use crate::figure::lobes::MAX_THETA_I;
 use crate::figure::palette::Palette;
 use crate::figure::scale::RADIAL_SCALES;
@@ -39,6 +39,7 @@ pub fn lobe3d_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
         scale: view.scale,
         with_cosine: view.with_cosine,
         channel: view.channel,
+        detail: Detail::of([rect.width(), rect.height()], view.camera.zoom),
     };
     let lobes = lobes_of(ui, shape, &subjects);
     let wo = probed.map(|probe| probe.wo);

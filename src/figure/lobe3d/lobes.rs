@@ -1,6 +1,6 @@
 //! The lobes of all subjects on one axis, made again only as far as their inputs have changed.
 
-use super::mesh::{LobeMesh, layout, sample};
+use super::mesh::{Detail, LobeMesh, layout, sample};
 use crate::figure::scale::{Axis, RadialScale, nice_limit};
 use crate::figure::subject::{Channel, Look, Source, Subject};
 use crate::geom::{Rgb, mirror};
@@ -18,6 +18,8 @@ pub struct Shape {
     pub with_cosine: bool,
     /// What of the colours is shown.
     pub channel: Channel,
+    /// How fine the meshes are.
+    pub detail: Detail,
 }
 
 impl Shape {
@@ -74,9 +76,10 @@ pub struct Lobes {
 impl Lobes {
     /// Makes the lobes, of `before` what is still right.
     pub fn new(shape: Shape, subjects: &[Subject], before: Option<&Self>) -> Self {
-        let before = before.filter(|before| before.shape.theta_i == shape.theta_i);
+        let layout_of = |shape: &Shape| (shape.theta_i, shape.detail);
+        let before = before.filter(|before| layout_of(&before.shape) == layout_of(&shape));
         let directions = before.map_or_else(
-            || Arc::new(layout(shape.theta_i)),
+            || Arc::new(layout(shape.theta_i, shape.detail)),
             |before| Arc::clone(&before.directions),
         );
         let known = |source: &Source| {
@@ -108,8 +111,8 @@ impl Lobes {
             });
             lobe.mesh = Some(kept.unwrap_or_else(|| {
                 Arc::new(LobeMesh::new(
-                    &directions,
-                    &lobe.samples,
+                    shape.detail,
+                    (&directions, &lobe.samples),
                     shape.channel,
                     shape.factor(),
                     &axis,

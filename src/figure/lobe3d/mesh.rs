@@ -7,38 +7,99 @@ use glam::DVec3;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// Rings around the mirror direction; the last one is the horizon.
-pub const RINGS: usize = 60;
-/// Directions on a ring.
-pub const SPOKES: usize = 80;
-/// How much closer rings lie near the mirror direction: ring k is at (k / RINGS)^CROWDING of the way to the horizon.
+/// How fine a mesh is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Detail {
+    /// For a large picture and for paper.
+    #[default]
+    Fine,
+    /// For a picture in which the pieces of a fine mesh are about as small as pixels.
+    Coarse,
+}
+
+/// A dome is large from here on: its width and height in points.
+const LARGE: f64 = 280.0;
+
+impl Detail {
+    /// What a picture of this size, so much enlarged, asks for.
+    pub fn of([width, height]: [f32; 2], zoom: f64) -> Self {
+        if zoom * f64::from(width.min(height)) < LARGE {
+            Self::Coarse
+        } else {
+            Self::Fine
+        }
+    }
+
+    /// Rings around the mirror direction; the last one is the horizon.
+    pub fn rings(self) -> usize {
+        15 * self.pieces()
+    }
+
+    /// Directions on a ring.
+    pub fn spokes(self) -> usize {
+        20 * self.pieces()
+    }
+
+    /// Pieces of the mesh from one line of the wire to the next.
+    fn pieces(self) -> usize {
+        match self {
+            Self::Fine => 4,
+            Self::Coarse => 2,
+        }
+    }
+
+    /// Position of a direction in a layout. Ring 0 is the mirror direction alone.
+    fn index(self, ring: usize, spoke: usize) -> usize {
+        if ring == 0 {
+            0
+        } else {
+            1 + (ring - 1) * self.spokes() + spoke % self.spokes()
+        }
+    }
+
+    /// Counter-clockwise seen from outside.
+    fn triangles(self) -> impl Iterator<Item = [usize; 3]> {
+        (0..self.rings()).flat_map(move |ring| {
+            (0..self.spokes()).flat_map(move |spoke| {
+                let near = [self.index(ring, spoke), self.index(ring, spoke + 1)];
+                let far = [self.index(ring + 1, spoke), self.index(ring + 1, spoke + 1)];
+                let outer = [near[0], far[0], far[1]];
+                let inner = (ring > 0).then_some([near[0], far[1], near[1]]);
+                std::iter::once(outer).chain(inner)
+            })
+        })
+    }
+}
+
+/// How much closer rings lie near the mirror direction: ring k of n is at (k/n)^CROWDING of the way to the horizon.
 const CROWDING: f64 = 2.5;
 
 /// The directions of a mesh for light at `theta_i` radians from the left: the mirror direction, then ring by ring.
 ///
 /// The azimuth around the mirror direction runs from straight down, away from the light.
-pub fn layout(theta_i: f64) -> Vec<DVec3> {
+pub fn layout(theta_i: f64, detail: Detail) -> Vec<DVec3> {
+    let (rings, spokes) = (detail.rings(), detail.spokes());
     let (sin, cos) = theta_i.sin_cos();
     let (peak, down, aside) = (
         DVec3::new(sin, 0.0, cos),
         DVec3::new(cos, 0.0, -sin),
         DVec3::Y,
     );
-    let spokes: Vec<(DVec3, f64)> = (0..SPOKES)
+    let outwards: Vec<(DVec3, f64)> = (0..spokes)
         .map(|spoke| {
-            let psi = azimuth(spoke as f64 / SPOKES as f64, cos);
+            let psi = azimuth(spoke as f64 / spokes as f64, cos);
             let outwards = psi.cos() * down + psi.sin() * aside;
             (outwards, cos.atan2(-outwards.z))
         })
         .collect();
     let mut all = vec![peak];
-    for ring in 1..=RINGS {
-        let share = (ring as f64 / RINGS as f64).powf(CROWDING);
-        all.extend(spokes.iter().map(|(outwards, horizon)| {
+    for ring in 1..=rings {
+        let share = (ring as f64 / rings as f64).powf(CROWDING);
+        all.extend(outwards.iter().map(|(outwards, horizon)| {
             let (sin, cos) = (share * horizon).sin_cos();
             let w = cos * peak + sin * *outwards;
             // Rounding must not put the horizon below itself.
-            DVec3::new(w.x, w.y, if ring == RINGS { 0.0 } else { w.z.max(0.0) }).normalize()
+            DVec3::new(w.x, w.y, if ring == rings { 0.0 } else { w.z.max(0.0) }).normalize()
         }));
     }
     all
@@ -64,11 +125,7 @@ fn azimuth(share: f64, cos_theta_i: f64) -> f64 {
 pub fn sample(source: &Source, directions: &[DVec3]) -> Vec<Option<Rgb>> {
     let wi = mirror(directions[0]);
     let f_r = |wo: &DVec3| source.f_r(wi, *wo);
-    directions
-        .par_iter()
-        .with_min_len(SPOKES)
-        .map(f_r)
-        .collect()
+    directions.par_iter().with_min_len(80).map(f_r).collect()
 }
 
 /// A lobe as triangles: the point of a direction is as far from the origin as its value says.
@@ -82,18 +139,22 @@ pub struct LobeMesh {
     pub triangles: Vec<[u32; 3]>,
     /// Whether the direction has a value.
     valid: Vec<bool>,
+    detail: Detail,
 }
 
 impl LobeMesh {
-    /// The surface of these values on an axis, times `factor`.
+    /// The surface of these values at the directions of a layout of this detail on an axis, times `factor`.
     pub fn new(
-        directions: &[DVec3],
-        values: &[Option<Rgb>],
+        detail: Detail,
+        (directions, values): (&[DVec3], &[Option<Rgb>]),
         channel: Channel,
         factor: f64,
         axis: &Axis,
     ) -> Self {
-        let mut mesh = Self::default();
+        let mut mesh = Self {
+            detail,
+            ..Self::default()
+        };
         for (w, value) in directions.iter().zip(values) {
             let value = value.map(|rgb| factor * channel.of(rgb));
             let value = value.filter(|value| value.is_finite());
@@ -102,7 +163,7 @@ impl LobeMesh {
             let radius = value.map_or(0.0, |value| axis.position(value).min(1.0));
             mesh.positions.push(radius * *w);
         }
-        for [a, b, c] in all_triangles() {
+        for [a, b, c] in detail.triangles() {
             if mesh.valid[a] && mesh.valid[b] && mesh.valid[c] {
                 mesh.triangles.push([a, b, c].map(|index| index as u32));
             }
@@ -123,19 +184,20 @@ impl LobeMesh {
 
     /// Some rings and spokes as polylines, broken where there are no values: the mesh as wire.
     pub fn wire(&self) -> Vec<Vec<DVec3>> {
-        const EVERY: usize = 4;
+        let detail = self.detail;
+        let (rings, spokes, every) = (detail.rings(), detail.spokes(), detail.pieces());
         let mut lines = Vec::new();
-        for ring in (EVERY..=RINGS).step_by(EVERY) {
-            lines.extend(self.runs((0..=SPOKES).map(|spoke| index(ring, spoke))));
+        for ring in (every..=rings).step_by(every) {
+            lines.extend(self.runs((0..=spokes).map(|spoke| detail.index(ring, spoke))));
         }
-        for spoke in (0..SPOKES).step_by(EVERY) {
+        for spoke in (0..spokes).step_by(every) {
             // Near the peak every other spoke would only blacken it.
-            let first = if spoke % (2 * EVERY) == 0 {
+            let first = if spoke % (2 * every) == 0 {
                 0
             } else {
-                RINGS / 3
+                rings / 3
             };
-            lines.extend(self.runs((first..=RINGS).map(|ring| index(ring, spoke))));
+            lines.extend(self.runs((first..=rings).map(|ring| detail.index(ring, spoke))));
         }
         lines
     }
@@ -153,26 +215,4 @@ impl LobeMesh {
         runs.retain(|run| run.len() > 1);
         runs
     }
-}
-
-/// Position of a direction in a layout. Ring 0 is the mirror direction alone.
-fn index(ring: usize, spoke: usize) -> usize {
-    if ring == 0 {
-        0
-    } else {
-        1 + (ring - 1) * SPOKES + spoke % SPOKES
-    }
-}
-
-/// Counter-clockwise seen from outside.
-fn all_triangles() -> impl Iterator<Item = [usize; 3]> {
-    (0..RINGS).flat_map(|ring| {
-        (0..SPOKES).flat_map(move |spoke| {
-            let near = [index(ring, spoke), index(ring, spoke + 1)];
-            let far = [index(ring + 1, spoke), index(ring + 1, spoke + 1)];
-            let outer = [near[0], far[0], far[1]];
-            let inner = (ring > 0).then_some([near[0], far[1], near[1]]);
-            std::iter::once(outer).chain(inner)
-        })
-    })
 }

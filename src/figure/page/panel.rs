@@ -8,7 +8,7 @@ use crate::figure::error_map::ErrorSpec;
 use crate::figure::heatmap::{ColorScale, HeatMap};
 use crate::figure::image_slice::{ImageSpec, Shown};
 use crate::figure::landscape::LandscapeSpec;
-use crate::figure::lobe3d::{Lobes, Overlay, Shape, picture};
+use crate::figure::lobe3d::{Detail, Lobes, Overlay, Shape, picture};
 use crate::figure::lobes::{LobePlot, LobeSpec};
 use crate::figure::palette::{Palette, Role};
 use crate::figure::scale::Axis;
@@ -135,6 +135,7 @@ fn lobe3d(spec: &Lobe3dSpec, input: &Input) -> Drawn {
         scale: spec.scale,
         with_cosine: spec.with_cosine,
         channel: spec.channel,
+        detail: Detail::Fine,
     };
     let lobes = Lobes::new(shape, input.subjects, None);
     let overlay = Overlay::new(&lobes, spec.camera, None, input.size);
