@@ -17,6 +17,8 @@ const ETAS: [f64; 3] = [1.2, 1.5, 2.5];
 struct Sample {
     cosines: Cosines,
     weight: f64,
+    /// The weight over f_r.
+    relative: Rgb,
     f_r: Rgb,
 }
 
@@ -32,11 +34,28 @@ pub fn from_table(table: &Table) -> Brdf {
         params: Params::default(),
     };
     let mut best_error = f64::INFINITY;
+    // A shape is R_F · exp(s · ln base): of its parts each is made once.
+    let reflectance = |eta: f64| {
+        let of = |sample: &Sample| best.fresnel.reflectance(sample.cosines.wi_dot_wh, eta);
+        samples.iter().map(of).collect::<Vec<f64>>()
+    };
+    let reflectances = ETAS.map(reflectance);
+    let mut lobe = vec![0.0; samples.len()];
     let mut shapes = vec![0.0; samples.len()];
-    for k in 0..EXPONENTS {
-        let s = 0.3 * 1e5f64.powf(k as f64 / (EXPONENTS - 1) as f64);
-        for alpha in ALPHAS {
-            for eta in ETAS {
+    for alpha in ALPHAS {
+        let base = Params {
+            s: 1.0,
+            alpha,
+            ..Params::default()
+        };
+        let ln_base = |sample: &Sample| (best.model.lobe)(&base, &sample.cosines).ln();
+        let ln_base: Vec<f64> = samples.iter().map(ln_base).collect();
+        for k in 0..EXPONENTS {
+            let s = 0.3 * 1e5f64.powf(k as f64 / (EXPONENTS - 1) as f64);
+            for (lobe, ln_base) in lobe.iter_mut().zip(&ln_base) {
+                *lobe = (s * ln_base).exp();
+            }
+            for (eta, reflectance) in ETAS.into_iter().zip(&reflectances) {
                 let mut candidate = best;
                 candidate.params = Params {
                     s,
@@ -44,8 +63,8 @@ pub fn from_table(table: &Table) -> Brdf {
                     eta,
                     ..Params::default()
                 };
-                for (shape, sample) in shapes.iter_mut().zip(&samples) {
-                    *shape = candidate.specular_shape(&sample.cosines);
+                for ((shape, lobe), reflectance) in shapes.iter_mut().zip(&lobe).zip(reflectance) {
+                    *shape = reflectance * lobe;
                 }
                 let mut error = 0.0;
                 for channel in 0..3 {
@@ -86,6 +105,7 @@ fn samples(table: &Table) -> Vec<Sample> {
                 samples.push(Sample {
                     cosines,
                     weight,
+                    relative: f_r.map(|f| weight / f.max(1e-6)),
                     f_r,
                 });
             }
@@ -98,8 +118,7 @@ fn samples(table: &Table) -> Vec<Sample> {
 fn amplitudes(samples: &[Sample], shapes: &[f64], channel: usize) -> (f64, f64) {
     let (mut aa, mut ab, mut bb, mut af, mut bf) = (0.0, 0.0, 0.0, 0.0, 0.0);
     for (sample, b) in samples.iter().zip(shapes) {
-        let f = sample.f_r[channel];
-        let w = sample.weight / f.max(1e-6);
+        let (f, w) = (sample.f_r[channel], sample.relative[channel]);
         aa += w;
         ab += w * b;
         bb += w * b * b;
