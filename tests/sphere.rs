@@ -266,6 +266,39 @@ fn adapter_distance(
     distances.sum::<f64>() / sources.len() as f64
 }
 
+/// Largest distance in steps of 255 of a part enlarged from the same part of a picture twice as large.
+fn enlarged_distance(gpu: &Gpu, center: [f64; 2]) -> u8 {
+    let texture = TableTexture::empty(&gpu.device, &gpu.queue);
+    let pass = SpherePass::new(&gpu.device, offscreen::FORMAT);
+    let slot = pass.slot(&gpu.device, &texture);
+    let view = SphereView::default();
+    let plain = SphereUniform::new(&view, &brdf(), Lookup::Smooth, -2.0, SIZE as f32);
+    let draw = |size, uniform: &SphereUniform| {
+        slot.write(&gpu.queue, uniform);
+        offscreen::render(gpu, size, |render| pass.draw(render, &slot)).expect("a picture")
+    };
+    let whole = draw(2 * SIZE, &plain);
+    let part = draw(SIZE, &plain.in_sight(center, 2.0));
+    // Of the whole picture, three quarters from the left and five eighths from the top of a half.
+    let (left, top) = (SIZE * 3 / 4, SIZE * 5 / 8);
+    part.enumerate_pixels()
+        .flat_map(|(x, y, pixel)| {
+            let wanted = whole.get_pixel(left + x, top + y).0;
+            (0..4).map(move |k| pixel[k].abs_diff(wanted[k]))
+        })
+        .max()
+        .expect("pixels")
+}
+
+#[test]
+fn a_part_enlarged_is_a_part_of_a_larger_sphere() {
+    let Some(gpu) = gpu() else { return };
+    let far = enlarged_distance(&gpu, [0.25, -0.125]);
+    assert!(far <= 2, "{far}");
+    let planted = enlarged_distance(&gpu, [0.25, -0.15]);
+    assert!(planted > 20, "a planted shift went unnoticed: {planted}");
+}
+
 #[test]
 fn the_picture_without_an_adapter_is_the_same() {
     let Some(gpu) = gpu() else { return };

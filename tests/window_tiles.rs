@@ -47,6 +47,47 @@ fn a_click_pins_the_probe_and_copies_its_row() {
 }
 
 #[test]
+fn the_wheel_enlarges_the_sphere_around_the_pointer() {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = window(vec![], vec![]);
+    let rect = window.get_by_role_and_label(Role::Image, "Sphere").rect();
+    let at = rect.center() + egui::vec2(20.0, -30.0);
+    window.hover_at(at);
+    window.run_steps(2);
+    let sight = |window: &Window| window.state().state().scene.sphere.sight;
+    let probe = |window: &Window| window.state().state().probe().expect("a probe");
+    let before = probe(&window);
+    window.event(egui::Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Point,
+        delta: egui::vec2(0.0, 240.0),
+        phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Wheel,
+        modifiers: Modifiers::NONE,
+    });
+    window.run_steps(20);
+    assert!(sight(&window).zoom > 2.0, "{:?}", sight(&window));
+    let after = probe(&window);
+    assert!(after.wi.angle_between(before.wi) < 1e-3 && after.wo.angle_between(before.wo) < 1e-3);
+    // Elsewhere the same step of the pointer is a smaller one on the sphere.
+    window.hover_at(at + egui::vec2(30.0, 0.0));
+    window.run_steps(2);
+    let near = probe(&window).wo.angle_between(before.wo);
+    for _ in 0..2 {
+        window.drag_at(at);
+        window.drop_at(at);
+        window.run_steps(1);
+    }
+    window.run_steps(3);
+    assert_eq!(sight(&window).zoom, 1.0);
+    window.hover_at(at + egui::vec2(30.0, 0.0));
+    window.run_steps(2);
+    let far = probe(&window).wo.angle_between(before.wo);
+    assert!(far > 2.0 * near, "{far} {near}");
+}
+
+#[test]
 fn a_name_in_the_legend_hides_its_curves() {
     if skip_gpu() {
         return;

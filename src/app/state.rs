@@ -10,7 +10,9 @@ use super::probe::Probe;
 use super::session::SessionState;
 use super::subjects::SubjectKey;
 use super::tiles::Tiles;
-use super::views::{AlbedoView, ErrorMapView, ImageView, LandscapeView, Lobe3dView, SlicesView};
+use super::views::{
+    AlbedoView, ErrorMapView, ImageView, LandscapeView, Lobe3dView, Sight, SlicesView,
+};
 use crate::brdf::{Brdf, ParamId};
 use crate::figure::Channel;
 use crate::figure::scale::RadialScale;
@@ -124,6 +126,9 @@ pub struct SphereTile {
     pub show: Show,
     /// Where the split line is: −1 at the left rim, 1 at the right.
     pub split: f64,
+    /// What of it is in sight.
+    #[serde(default)]
+    pub sight: Sight,
 }
 
 /// What the lobe tile shows.
@@ -202,6 +207,7 @@ impl Default for Scene {
                 view: SphereView::default(),
                 show: Show::Split,
                 split: 0.0,
+                sight: Sight::default(),
             },
             lobes: LobeTile {
                 theta_i: [30.0, 60.0, 80.0].map(f64::to_radians).to_vec(),

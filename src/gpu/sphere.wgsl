@@ -19,6 +19,8 @@ struct Sphere {
     split: f32,
     // Radius in pixels, for the soft rim.
     radius_px: f32,
+    // What is in the middle of the square, and how far it is enlarged.
+    sight: vec4f,
     hatch_dark: vec4f,
     hatch_light: vec4f,
     // Of the comparison: 0 for the difference and 1 for the ratio, its limit, that of the ratio in stops, and the
@@ -40,7 +42,8 @@ struct Vertex {
 fn part(index: u32, left: f32, right: f32) -> Vertex {
     let x = select(left, right, (index & 1u) == 1u);
     let corner = vec2f(x, f32(index >> 1u) * 2.0 - 1.0);
-    return Vertex(vec4f(corner, 0.0, 1.0), corner * margin());
+    let place = (corner - sphere.sight.xy) * sphere.sight.z;
+    return Vertex(vec4f(place, 0.0, 1.0), corner * margin());
 }
 
 // The square is two pixels wider than the sphere, in units of the radius.

@@ -19,6 +19,7 @@ pub struct SphereUniform {
     smoothly: u32,
     split: f32,
     radius_px: f32,
+    sight: [f32; 4],
     hatch_dark: [f32; 4],
     hatch_light: [f32; 4],
     comparison: [f32; 4],
@@ -30,7 +31,7 @@ pub const COLORS: usize = 33;
 
 impl SphereUniform {
     /// Name and offset of every member, for the test that holds them against the shader.
-    pub fn offsets() -> [(&'static str, usize); 10] {
+    pub fn offsets() -> [(&'static str, usize); 11] {
         use std::mem::offset_of;
         [
             ("brdf", offset_of!(Self, brdf)),
@@ -39,6 +40,7 @@ impl SphereUniform {
             ("smoothly", offset_of!(Self, smoothly)),
             ("split", offset_of!(Self, split)),
             ("radius_px", offset_of!(Self, radius_px)),
+            ("sight", offset_of!(Self, sight)),
             ("hatch_dark", offset_of!(Self, hatch_dark)),
             ("hatch_light", offset_of!(Self, hatch_light)),
             ("comparison", offset_of!(Self, comparison)),
@@ -62,10 +64,21 @@ impl SphereUniform {
             // Infinities are not for shaders.
             split: split.clamp(-2.0, 2.0) as f32,
             radius_px: radius_px.max(1.0),
+            sight: [0.0, 0.0, 1.0, 0.0],
             hatch_dark: HATCH[0],
             hatch_light: HATCH[1],
             comparison: [0.0, 1.0, 1.0, 1.0],
             colors: [[0.0; 4]; COLORS],
+        }
+    }
+
+    /// The same with a part in sight: `center`, in units of the radius with y up, in the middle of the square, and the
+    /// sphere, whose radius is that given before, `zoom` times larger than the square.
+    pub fn in_sight(self, center: [f64; 2], zoom: f64) -> Self {
+        let [x, y, zoom] = [center[0], center[1], zoom].map(|x| x as f32);
+        Self {
+            sight: [x, y, zoom, 0.0],
+            ..self
         }
     }
 

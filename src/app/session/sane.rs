@@ -70,6 +70,7 @@ fn views(views: &mut Views) {
     let sphere = &mut views.sphere;
     lights(&mut sphere.view);
     sphere.split = sphere.split.clamp(-1.0, 1.0);
+    sphere.sight = sphere.sight.sane();
 
     angles(&mut views.lobes.theta_i, &[60f64.to_radians()], MAX_THETA_I);
     views.lobes.active = views.lobes.active.min(views.lobes.theta_i.len() - 1);

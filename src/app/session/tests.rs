@@ -222,7 +222,7 @@ fn same(a: &str, b: &str, what: &str) {
 }
 
 /// Changes that a session keeps, one each.
-const CHANGES: [fn(&mut State); 24] = [
+const CHANGES: [fn(&mut State); 25] = [
     |s| s.scene.selected = 3,
     |s| s.scene.opened.truncate(2),
     |s| s.scene.opened[1].brdf.params.k_s[2] += 1e-9,
@@ -232,6 +232,7 @@ const CHANGES: [fn(&mut State); 24] = [
     |s| s.scene.hidden.swap(0, 1),
     |s| s.scene.lookup = Lookup::Smooth,
     |s| s.scene.sphere.split = -0.5,
+    |s| s.scene.sphere.sight = s.scene.sphere.sight.zoomed(2.0, [0.25, 0.5]),
     |s| s.scene.lobes.theta_i[1] = 0.5,
     |s| s.scene.slices.spec.phi_d = 0.25,
     |s| s.scene.albedo.spec.channel = Channel::R,

@@ -54,7 +54,7 @@ pub const PANES: &[Row] = &[
         name: "Sphere",
         help: [
             "The material on a sphere, lit from far away: data, model, or both.",
-            "Drag a highlight to move its light, or the line to compare; double click puts both back.",
+            "Drag a highlight to move its light, or the line to compare; the wheel zooms. Double click puts all back.",
             "Point at it to read angles and values in the status bar; a click pins them.",
         ],
         home: Home::Upper,

@@ -2,11 +2,13 @@
 
 use super::sphere_callback::{self, Half};
 use super::sphere_error;
+use super::zoom;
 use crate::app::command::Command;
 use crate::app::panels::dialogs;
 use crate::app::probe::{self, Probe};
 use crate::app::state::{SHOWS, Show, SphereTile, State};
 use crate::app::update::Msg;
+use crate::app::views::Sight;
 use crate::geom::HalfDiff;
 use crate::geom::sphere::{
     LIGHT_PRESETS, highlight_of, light_for_highlight_at, local_directions, point_of,
@@ -109,7 +111,9 @@ fn toolbar_ui(ui: &mut egui::Ui, state: &State, tile: &SphereTile, out: &mut Vec
 
 /// A sphere on screen.
 pub struct OnScreen {
-    /// The square around it.
+    /// The square in which it is seen.
+    pub frame: Rect,
+    /// The square around it, larger than the frame where it is enlarged.
     pub rect: Rect,
     /// What it shows.
     pub half: Half,
@@ -124,12 +128,17 @@ impl OnScreen {
 }
 
 fn layout(rect: Rect, tile: &SphereTile) -> Vec<OnScreen> {
-    let square = |rect: Rect, half| OnScreen {
-        rect: Rect::from_center_size(
-            rect.center(),
-            Vec2::splat(rect.width().min(rect.height()) - 8.0).max(Vec2::splat(16.0)),
-        ),
-        half,
+    let square = |rect: Rect, half| {
+        let side = (rect.width().min(rect.height()) - 8.0).max(16.0);
+        let frame = Rect::from_center_size(rect.center(), Vec2::splat(side));
+        let Sight { zoom, center } = tile.sight;
+        let side = side * zoom as f32;
+        let middle = 0.5 * side * vec2(center[0] as f32, -center[1] as f32);
+        OnScreen {
+            frame,
+            rect: Rect::from_center_size(frame.center() - middle, Vec2::splat(side)),
+            half,
+        }
     };
     match tile.show {
         Show::Measured => vec![square(rect, Half::Measured)],
@@ -152,7 +161,8 @@ fn split_line(sphere: &OnScreen) -> Option<f32> {
     let Half::Split(split) = sphere.half else {
         return None;
     };
-    Some(sphere.rect.center().x + 0.5 * sphere.rect.width() * split as f32)
+    let x = sphere.rect.center().x + 0.5 * sphere.rect.width() * split as f32;
+    sphere.frame.x_range().contains(x).then_some(x)
 }
 
 fn draw_split(ui: &egui::Ui, sphere: &OnScreen, x: f32) {
@@ -161,9 +171,9 @@ fn draw_split(ui: &egui::Ui, sphere: &OnScreen, x: f32) {
     // Light on dark and dark on light: the sphere may be either, whatever the theme.
     for (width, color, opacity) in [(3.0, Color32::BLACK, 0.35), (1.0, Color32::WHITE, 0.8)] {
         let stroke = Stroke::new(width, color.gamma_multiply(opacity));
-        painter.vline(x, sphere.rect.y_range(), stroke);
+        painter.vline(x, sphere.frame.y_range(), stroke);
     }
-    let handle = Rect::from_center_size(pos2(x, sphere.rect.bottom() - 14.0), vec2(7.0, 20.0));
+    let handle = Rect::from_center_size(pos2(x, sphere.frame.bottom() - 14.0), vec2(7.0, 20.0));
     painter.rect(
         handle,
         3.5,
@@ -174,12 +184,8 @@ fn draw_split(ui: &egui::Ui, sphere: &OnScreen, x: f32) {
 }
 
 fn caption(ui: &egui::Ui, sphere: &OnScreen) {
-    let put = |at: Pos2, align: Align2, text: &str| {
-        let color: Color32 = ui.visuals().weak_text_color();
-        ui.painter()
-            .text(at, align, text, FontId::proportional(13.0), color);
-    };
-    let rect = sphere.rect;
+    let put = |at: Pos2, align: Align2, text: &str| word(ui, at, align, text, 13.0);
+    let rect = sphere.frame;
     match sphere.half {
         Half::Split(_) => {
             put(rect.left_top(), Align2::LEFT_TOP, "measured");
@@ -189,6 +195,18 @@ fn caption(ui: &egui::Ui, sphere: &OnScreen) {
         Half::Model => put(rect.left_top(), Align2::LEFT_TOP, "model"),
         Half::Error(_) => {}
     }
+}
+
+/// Writes a word in a corner of a frame, to be read over an enlarged sphere as well.
+pub(super) fn word(ui: &egui::Ui, at: Pos2, align: Align2, text: &str, size: f32) {
+    let (font, visuals) = (FontId::proportional(size), ui.visuals());
+    let color = visuals.weak_text_color();
+    let galley = ui.painter().layout_no_wrap(text.to_owned(), font, color);
+    let rect = align.anchor_size(at, galley.size());
+    let ground = visuals.panel_fill.gamma_multiply(0.8);
+    ui.painter()
+        .rect_filled(rect.expand2(vec2(3.0, 0.0)), 3.0, ground);
+    ui.painter().galley(rect.min, galley, color);
 }
 
 /// Where the probe is under each light. A sphere under one light has one θd: elsewhere the mark is hollow.
@@ -217,6 +235,9 @@ fn marks(ui: &egui::Ui, state: &State, tile: &SphereTile, spheres: &[OnScreen]) 
             let radius = f64::from(0.5 * sphere.rect.width());
             let offset = vec2((x * radius) as f32, (-y * radius) as f32);
             let at = sphere.rect.center() + offset;
+            if !sphere.frame.contains(at) {
+                continue;
+            }
             // Light on dark and dark on light: the picture may be either.
             for (radius, color) in [(5.0, Color32::BLACK), (4.0, Color32::WHITE)] {
                 ui.painter()
@@ -248,14 +269,14 @@ fn interact(
         return;
     };
     let Some(sphere) = spheres.iter().min_by(|a, b| {
-        let distance = |s: &OnScreen| s.rect.distance_to_pos(pointer);
+        let distance = |s: &OnScreen| s.frame.distance_to_pos(pointer);
         distance(a).total_cmp(&distance(b))
     }) else {
         return;
     };
     let on_split = |at: Pos2| {
         split_line(sphere)
-            .is_some_and(|x| (at.x - x).abs() < GRAB && sphere.rect.y_range().contains(at.y))
+            .is_some_and(|x| (at.x - x).abs() < GRAB && sphere.frame.y_range().contains(at.y))
     };
     let (x, y) = sphere.unit(pointer);
     let id = response.id.with("grabbed");
@@ -294,6 +315,11 @@ fn interact(
         }));
     }
     if response.hovered() {
+        if let Some(factor) = zoom::wheel(ui) {
+            out.push(Msg::SetSphere(with(tile, |tile| {
+                tile.sight = tile.sight.zoomed(factor, [x, y]);
+            })));
+        }
         ui.ctx().set_cursor_icon(if on_split(pointer) {
             CursorIcon::ResizeHorizontal
         } else {

@@ -4,6 +4,7 @@ use super::sphere::OnScreen;
 use super::sphere_error;
 use crate::app::library::Presence;
 use crate::app::state::{Material, MaterialId, Opened, State};
+use crate::app::views::Sight;
 use crate::geom::sphere_error::SphereError;
 use crate::gpu::sphere_pass::{SpherePass, SphereSlot, SphereUniform};
 use crate::gpu::table_texture::TableTexture;
@@ -84,6 +85,8 @@ pub fn paint(
         sphere.half.split(),
         radius_px,
     );
+    let Sight { zoom, center } = scene.sphere.sight;
+    let uniform = uniform.in_sight(center, zoom);
     let (uniform, compared) = match sphere.half {
         Half::Error(error) => (uniform.comparing(error, &sphere_error::colors(error)), true),
         _ => (uniform, false),
@@ -99,7 +102,7 @@ pub fn paint(
         kept: kept(state),
         uniform,
     };
-    painter.add(Callback::new_paint_callback(sphere.rect, callback));
+    painter.add(Callback::new_paint_callback(sphere.frame, callback));
 }
 
 /// The materials whose textures are worth keeping: open ones whose tables are in memory, those shown lately.

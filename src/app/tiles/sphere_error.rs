@@ -1,6 +1,6 @@
 //! The colours of the difference sphere and the bar that says what they mean.
 
-use super::sphere::OnScreen;
+use super::sphere::{OnScreen, word};
 use crate::figure::sphere_image::{error_colors, error_names, error_ticks, error_unit};
 use crate::geom::sphere_error::SphereError;
 use crate::gpu::sphere_pass::COLORS;
@@ -31,17 +31,17 @@ pub fn bar(ui: &egui::Ui, rect: Rect, sphere: &OnScreen, error: SphereError, sto
         painter.text(at, align, text, FontId::proportional(12.0), color);
     };
     // Beside a small sphere there is room for a word.
-    let [full, word] = error_names(error);
-    let name = if sphere.rect.width() > 240.0 {
+    let [full, short] = error_names(error);
+    let name = if sphere.frame.width() > 240.0 {
         full
     } else {
-        word
+        short
     };
-    text(sphere.rect.left_top(), Align2::LEFT_TOP, name);
+    word(ui, sphere.frame.left_top(), Align2::LEFT_TOP, name, 12.0);
     let left = beside_bar(rect).right() + 4.0;
-    let high = sphere.rect.height() - 22.0;
+    let high = sphere.frame.height() - 22.0;
     let bar = Rect::from_min_size(
-        pos2(left, sphere.rect.top() + 18.0),
+        pos2(left, sphere.frame.top() + 18.0),
         vec2(WIDTH, high.max(20.0)),
     );
     let mut mesh = egui::Mesh::default();
@@ -69,7 +69,7 @@ pub fn bar(ui: &egui::Ui, rect: Rect, sphere: &OnScreen, error: SphereError, sto
         );
     }
     text(
-        pos2(rect.right(), sphere.rect.top() - 2.0),
+        pos2(rect.right(), sphere.frame.top() - 2.0),
         Align2::RIGHT_TOP,
         error_unit(error),
     );

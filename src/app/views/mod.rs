@@ -6,6 +6,7 @@ pub mod error_map;
 pub mod image;
 pub mod landscape;
 pub mod lobe3d;
+pub mod sight;
 pub mod slices;
 
 pub use albedo::AlbedoView;
@@ -13,4 +14,5 @@ pub use error_map::ErrorMapView;
 pub use image::ImageView;
 pub use landscape::LandscapeView;
 pub use lobe3d::Lobe3dView;
+pub use sight::Sight;
 pub use slices::SlicesView;

@@ -1,0 +1,82 @@
+//! Which part of the sphere is in sight.
+
+use serde::{Deserialize, Serialize};
+
+/// How far the sphere is enlarged at most.
+const MOST: f64 = 50.0;
+
+/// A part of the sphere, enlarged.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Sight {
+    /// 1 where all of the sphere just fits.
+    pub zoom: f64,
+    /// What is in the middle, in units of the radius, x to the right and y up.
+    pub center: [f64; 2],
+}
+
+impl Default for Sight {
+    fn default() -> Self {
+        Self {
+            zoom: 1.0,
+            center: [0.0; 2],
+        }
+    }
+}
+
+impl Sight {
+    /// The nearest one that can be shown.
+    pub fn sane(self) -> Self {
+        let finite = self.center.iter().all(|x| x.is_finite());
+        if finite {
+            self.zoomed(1.0, self.center)
+        } else {
+            Self::default()
+        }
+    }
+
+    /// Enlarged by `factor` around a point that stays where it is; the whole sphere where it would get smaller.
+    pub fn zoomed(self, factor: f64, point: [f64; 2]) -> Self {
+        let zoom = (self.zoom * factor).clamp(1.0, MOST);
+        if zoom == 1.0 || !zoom.is_finite() {
+            return Self::default();
+        }
+        let stays = self.zoom / zoom;
+        Self {
+            zoom,
+            center: std::array::from_fn(|k| {
+                (point[k] + stays * (self.center[k] - point[k])).clamp(-1.0, 1.0)
+            }),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_point_under_the_pointer_stays() {
+        let point = [0.4, -0.2];
+        let place =
+            |sight: Sight| std::array::from_fn(|k| sight.zoom * (point[k] - sight.center[k]));
+        let before: [f64; 2] = place(Sight::default());
+        let near = Sight::default().zoomed(2.0, point).zoomed(1.7, point);
+        let after: [f64; 2] = place(near);
+        assert!(
+            (0..2).all(|k| (before[k] - after[k]).abs() < 1e-12),
+            "{after:?}"
+        );
+        assert!((near.zoom - 3.4).abs() < 1e-12);
+        assert_eq!(near.zoomed(0.01, point), Sight::default());
+        assert_eq!(near.zoomed(f64::NAN, point), Sight::default());
+        assert_eq!(near.sane(), near);
+        let odd = |zoom, x| {
+            let center = [x, 0.0];
+            Sight { zoom, center }.sane()
+        };
+        assert_eq!(odd(4.0, f64::NAN), Sight::default());
+        assert_eq!(odd(-4.0, 0.5), Sight::default());
+        assert_eq!(odd(1e9, 7.0), odd(MOST, 1.0));
+    }
+}
