@@ -531,8 +531,28 @@ fn fitted_materials_are_dots_that_show_them() {
         ring: None,
         shown: false,
     };
-    let plot = ScatterPlot::new(&fits.each_ref().map(dot), [rect.width(), rect.height()]);
-    let at = rect.min + egui::Vec2::from(plot.places[1].expect("a place"));
+    let dots = fits.each_ref().map(dot);
+    let place = |window: &Window| {
+        let view = window.state().state().scene.scatter;
+        let plot = ScatterPlot::new(&dots, view.window, [rect.width(), rect.height()]);
+        rect.min + egui::Vec2::from(plot.places[1].expect("a place"))
+    };
+    let at = place(&window);
+    // The wheel makes room around the pointer, and what is under it stays.
+    window.hover_at(at);
+    window.run_steps(2);
+    window.event(egui::Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Point,
+        delta: egui::vec2(0.0, 120.0),
+        phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Wheel,
+        modifiers: egui::Modifiers::NONE,
+    });
+    window.run_steps(12);
+    let view = window.state().state().scene.scatter;
+    let [low, high] = view.window.expect("a part");
+    assert!(low > 10.0 && high < 1e4, "{low} {high}");
+    assert!((place(&window) - at).length() < 0.5);
     drag(&mut window, &[at, at]);
     settle(&mut window, is_quiet);
     assert_eq!(name(&window), "b");

@@ -11,7 +11,7 @@ use super::session::SessionState;
 use super::subjects::SubjectKey;
 use super::tiles::Tiles;
 use super::views::{
-    AlbedoView, ErrorMapView, ImageView, LandscapeView, Lobe3dView, Sight, SlicesView,
+    AlbedoView, ErrorMapView, ImageView, LandscapeView, Lobe3dView, ScatterView, Sight, SlicesView,
 };
 use crate::brdf::{Brdf, ParamId};
 use crate::figure::Channel;
@@ -192,6 +192,8 @@ pub struct Scene {
     pub error_map: ErrorMapView,
     /// The error landscape.
     pub landscape: LandscapeView,
+    /// The scatter of the materials.
+    pub scatter: ScatterView,
 }
 
 impl Default for Scene {
@@ -223,6 +225,7 @@ impl Default for Scene {
             image: ImageView::default(),
             error_map: ErrorMapView::default(),
             landscape: LandscapeView::default(),
+            scatter: ScatterView::default(),
         }
     }
 }

@@ -15,7 +15,9 @@ use super::session::{self, SessionMsg, SessionTask};
 use super::state::{CancelFlag, Level, LobeTile, Notice, Origin, Scene, SphereTile, State};
 use super::subjects::{self, SubjectKey, Subjects};
 use super::tasks::ModelExport;
-use super::views::{AlbedoView, ErrorMapView, ImageView, LandscapeView, Lobe3dView, SlicesView};
+use super::views::{
+    AlbedoView, ErrorMapView, ImageView, LandscapeView, Lobe3dView, ScatterView, SlicesView,
+};
 use crate::brdf::{Brdf, ParamId, Params};
 use crate::files::SourceFile;
 use crate::files::fits::MaterialFits;
@@ -94,6 +96,8 @@ pub enum Msg {
     SetErrorMap(ErrorMapView),
     /// Change the error landscape.
     SetLandscape(LandscapeView),
+    /// Change the scatter of the materials.
+    SetScatter(ScatterView),
     /// Lay this model over the shown material, with the best ρ_d and k_s once they are found.
     TakeModel(Brdf),
     /// The pointer shows a pair of directions, or none.
@@ -287,6 +291,7 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
         Msg::SetImage(image) => edit(state, |scene| scene.image = image),
         Msg::SetErrorMap(map) => edit(state, |scene| scene.error_map = map),
         Msg::SetLandscape(landscape) => edit(state, |scene| scene.landscape = landscape),
+        Msg::SetScatter(scatter) => edit(state, |scene| scene.scatter = scatter),
         Msg::TakeModel(brdf) => return steps::take(state, brdf),
         Msg::Hover(probe) => state.hovered = probe,
         Msg::Pin(probe) => state.pinned = probe,

@@ -44,9 +44,9 @@ pub struct ScatterPlot {
 }
 
 impl ScatterPlot {
-    /// A plot of `size` points.
-    pub fn new(dots: &[ScatterDot], size: [f32; 2]) -> Self {
-        let (from, to) = ends(dots);
+    /// A plot of `size` points; around all dots without ends of the axis of s.
+    pub fn new(dots: &[ScatterDot], window: Option<[f64; 2]>, size: [f32; 2]) -> Self {
+        let [from, to] = window.unwrap_or_else(|| ends(dots));
         let outline = Outline {
             title: vec![
                 "α over s of the combined model".into(),
@@ -125,7 +125,7 @@ fn draw(plot: &mut Plot, dots: &[ScatterDot]) -> Vec<Option<Point>> {
 }
 
 /// Ends for the axis of s, with some room beyond all values: 1 to 1000 where there is none.
-fn ends(dots: &[ScatterDot]) -> (f64, f64) {
+fn ends(dots: &[ScatterDot]) -> [f64; 2] {
     let logs = dots.iter().map(|dot| dot.s.log10());
     let (low, high) = logs
         .filter(|log| log.is_finite())
@@ -133,11 +133,11 @@ fn ends(dots: &[ScatterDot]) -> (f64, f64) {
             (low.min(log), high.max(log))
         });
     if low > high {
-        return (1.0, 1e3);
+        return [1.0, 1e3];
     }
     let half = (0.5 * (high - low) * 1.12 + 0.1).max(0.5 * DECADES);
     let middle = 0.5 * (low + high);
-    (10f64.powf(middle - half), 10f64.powf(middle + half))
+    [middle - half, middle + half].map(|log| 10f64.powf(log))
 }
 
 #[cfg(test)]
@@ -162,7 +162,7 @@ mod tests {
             dot("b", 1000.0, 1.0),
             dot("c", 100.0, 0.25),
         ];
-        let plot = ScatterPlot::new(&dots, [600.0, 400.0]);
+        let plot = ScatterPlot::new(&dots, None, [600.0, 400.0]);
         // Two decades and 0.22 at each end, so that no dot lies on the frame.
         let Frame { min, max, x, .. } = plot.frame;
         assert!((x.floor.log10() - 0.78).abs() < 1e-9 && (x.limit.log10() - 3.22).abs() < 1e-9);
@@ -209,7 +209,7 @@ mod tests {
             })
             .collect();
         dots[7].shown = true;
-        let plot = ScatterPlot::new(&dots, [300.0, 200.0]);
+        let plot = ScatterPlot::new(&dots, None, [300.0, 200.0]);
         let names: Vec<String> = plot
             .drawing
             .labels()
@@ -228,7 +228,7 @@ mod tests {
     fn nothing_and_nonsense_are_drawn_too() {
         for dots in [vec![], vec![dot("x", f64::NAN, 2.0), dot("y", 1e300, -1.0)]] {
             for size in [[300.0, 200.0], [10.0, 10.0]] {
-                let plot = ScatterPlot::new(&dots, size);
+                let plot = ScatterPlot::new(&dots, None, size);
                 assert!(
                     plot.places
                         .iter()

@@ -4,7 +4,7 @@ use crate::app::fitting::SortBy;
 use crate::app::state::{LobeTile, SphereTile};
 use crate::app::tiles::Tiles;
 use crate::app::views::{
-    AlbedoView, ErrorMapView, ImageView, LandscapeView, Lobe3dView, SlicesView,
+    AlbedoView, ErrorMapView, ImageView, LandscapeView, Lobe3dView, ScatterView, SlicesView,
 };
 use crate::brdf::{self, Brdf, params};
 use crate::files::fits::{self, FitRecord};
@@ -176,6 +176,7 @@ pub struct Views {
     pub image: ImageView,
     pub error_map: ErrorMapView,
     pub landscape: LandscapeView,
+    pub scatter: ScatterView,
 }
 
 /// What the next fit is asked, and how the table of fits is ordered.

@@ -81,6 +81,7 @@ fn scene_of(session: &SessionFile, ids: &[MaterialId], number: u64) -> Scene {
         image: views.image,
         error_map: views.error_map,
         landscape: views.landscape,
+        scatter: views.scatter,
     }
 }
 

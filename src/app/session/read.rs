@@ -144,6 +144,7 @@ impl Reader {
                 image: self.part(views, "views", "image", usual.image),
                 error_map: self.part(views, "views", "error_map", usual.error_map),
                 landscape: self.part(views, "views", "landscape", usual.landscape),
+                scatter: self.part(views, "views", "scatter", usual.scatter),
             },
             fit: self.part(given, "", "fit", Default::default()),
             probe: self.part(given, "", "probe", None),

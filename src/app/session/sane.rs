@@ -88,6 +88,7 @@ fn views(views: &mut Views) {
     albedo.window = window(albedo.window, [0.0, FRAC_PI_2]);
     albedo.limits = limits(albedo.limits);
 
+    views.scatter = views.scatter.sane();
     views.lobe3d.theta_i = views.lobe3d.theta_i.clamp(0.0, MAX_THETA_I);
     views.lobe3d.camera = views.lobe3d.camera.held();
     views.image.phi_d = views.image.phi_d.clamp(0.0, PI);

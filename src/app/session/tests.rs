@@ -222,7 +222,7 @@ fn same(a: &str, b: &str, what: &str) {
 }
 
 /// Changes that a session keeps, one each.
-const CHANGES: [fn(&mut State); 25] = [
+const CHANGES: [fn(&mut State); 26] = [
     |s| s.scene.selected = 3,
     |s| s.scene.opened.truncate(2),
     |s| s.scene.opened[1].brdf.params.k_s[2] += 1e-9,
@@ -240,6 +240,7 @@ const CHANGES: [fn(&mut State); 25] = [
     |s| s.scene.image.root = !s.scene.image.root,
     |s| s.scene.error_map.scale = RadialScale::Log,
     |s| s.scene.landscape.view.y = (0.5, 1.0),
+    |s| s.scene.scatter.window = Some([2.0, 50.0]),
     |s| s.fit.settings.from_sliders = true,
     |s| s.fit.settings.limit = NO_LIMIT,
     |s| s.fit.sort = SortBy::Name,

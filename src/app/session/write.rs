@@ -50,6 +50,7 @@ impl SessionFile {
                 image: scene.image.clone(),
                 error_map: scene.error_map.clone(),
                 landscape: scene.landscape.clone(),
+                scatter: scene.scatter,
             },
             fit: fitting(&state.fit),
             probe,

@@ -94,7 +94,7 @@ pub const PANES: &[Row] = &[
         help: [
             "Every material with a fit of the combined model: α over s.",
             "At α = 0 a material is Phong-like, at α = 1 Blinn-Phong-like. Open ones have a ring.",
-            "Point to read a name and its numbers; a click shows that material.",
+            "Point to read a name and its numbers; a click shows that material. The wheel zooms, double click shows all.",
         ],
         home: Home::Upper,
         ui: scatter::scatter_ui,

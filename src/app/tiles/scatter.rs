@@ -1,5 +1,6 @@
 //! The materials by α and s of their combined fits: some are Phong-like, some Blinn-Phong-like.
 
+use super::zoom::{self, Zoom};
 use crate::app::formula::number;
 use crate::app::library::LibraryMsg;
 use crate::app::paint;
@@ -7,6 +8,7 @@ use crate::app::panels::dialogs;
 use crate::app::panels::fit_details::percent;
 use crate::app::state::{Material, State};
 use crate::app::update::Msg;
+use crate::app::views::ScatterView;
 use crate::brdf::{Brdf, ParamId};
 use crate::figure::RichText;
 use crate::figure::palette::{Palette, Role};
@@ -42,8 +44,9 @@ pub fn combined_fits(state: &State) -> Vec<(String, Brdf, Role)> {
 /// Draws the tile.
 pub fn scatter_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
     let size = ui.available_size().max(Vec2::splat(60.0));
-    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "Scatter"));
+    let view = state.scene.scatter;
     let rows = rows(state);
     if rows.is_empty() {
         let text =
@@ -52,9 +55,18 @@ pub fn scatter_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool 
         return false;
     }
     let dots: Vec<ScatterDot> = rows.iter().map(|row| row.dot.clone()).collect();
-    let plot = ScatterPlot::new(&dots, [rect.width(), rect.height()]);
+    let plot = ScatterPlot::new(&dots, view.window, [rect.width(), rect.height()]);
     let palette = Palette::of_theme(ui.visuals().dark_mode);
     paint::paint(ui.painter(), rect.min, &plot.drawing, &palette);
+    let moved = match zoom::gesture(ui, &response, &plot.frame) {
+        Some(Zoom::X(ends)) => view.with_window(ends),
+        Some(Zoom::Reset) => ScatterView::default(),
+        // α is never beyond its axis.
+        Some(Zoom::Y(_)) | None => view,
+    };
+    if moved != view {
+        out.push(Msg::SetScatter(moved));
+    }
     let pointed = response.hover_pos().and_then(|at| {
         let at = at - rect.min;
         plot.dot_at([at.x, at.y])

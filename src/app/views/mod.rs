@@ -6,6 +6,7 @@ pub mod error_map;
 pub mod image;
 pub mod landscape;
 pub mod lobe3d;
+pub mod scatter;
 pub mod sight;
 pub mod slices;
 
@@ -14,5 +15,6 @@ pub use error_map::ErrorMapView;
 pub use image::ImageView;
 pub use landscape::LandscapeView;
 pub use lobe3d::Lobe3dView;
+pub use scatter::ScatterView;
 pub use sight::Sight;
 pub use slices::SlicesView;

@@ -233,6 +233,6 @@ fn scatter(input: &Input) -> Drawn {
     Drawn {
         table: Table::of_dots(&dots),
         axis: None,
-        drawing: ScatterPlot::new(&dots, input.size).drawing,
+        drawing: ScatterPlot::new(&dots, None, input.size).drawing,
     }
 }
