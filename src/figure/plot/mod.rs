@@ -216,7 +216,7 @@ impl Plot {
             (left + width, Anchor::RIGHT)
         };
         let at = [x, self.plan.name_y];
-        self.sheet.text(name, at, anchor, Role::Muted);
+        self.sheet.axis_name(name, at, anchor);
         for tick in &self.plan.x_marks.major {
             let at = [left + width * tick.position as f32, self.plan.numbers_y];
             self.sheet

@@ -35,6 +35,15 @@ impl Sheet {
         self.placing.place(&mut self.drawing, label);
     }
 
+    /// The name of an axis: numbers keep half a letter off its left end.
+    pub fn axis_name(&mut self, text: RichText, pos: Point, anchor: Anchor) {
+        let label = self.label(text, pos, anchor, Role::Muted);
+        let [min, max] = label.bounds();
+        let left = [min[0], 0.5 * (min[1] + max[1])];
+        self.placing.keep_free(left, 0.5 * label.size);
+        self.placing.place(&mut self.drawing, label);
+    }
+
     /// A text where there is room; says whether there was.
     pub fn try_text(&mut self, text: RichText, pos: Point, anchor: Anchor, role: Role) -> bool {
         let label = self.label(text, pos, anchor, role);
