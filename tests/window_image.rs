@@ -3,7 +3,7 @@
 mod common;
 
 use common::skip_gpu;
-use common::window::{Window, drag, run, window};
+use common::window::{Window, drag, run, wheel, window};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use grazing::app::command::Command;
@@ -133,14 +133,7 @@ fn settings_zoom_and_reset() {
     let point = on_screen(&window, at);
     window.hover_at(point);
     window.step();
-    window.event(egui::Event::MouseWheel {
-        unit: egui::MouseWheelUnit::Point,
-        delta: egui::vec2(0.0, 200.0),
-        modifiers: egui::Modifiers::NONE,
-        phase: egui::TouchPhase::Move,
-        source: egui::MouseWheelSource::Unknown,
-    });
-    window.run_steps(20);
+    wheel(&mut window, 200.0);
     let view = window.state().state().scene.image.view;
     assert!(view.x.1 - view.x.0 < 0.8, "{view:?}");
     // What was under the pointer still is.

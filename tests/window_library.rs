@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::window::{Window, click, drag, press, run, set_slider, settle};
+use common::window::{Window, click, drag, press, run, set_slider, settle, wheel};
 use common::{skip_gpu, write_merl};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
@@ -541,14 +541,7 @@ fn fitted_materials_are_dots_that_show_them() {
     // The wheel makes room around the pointer, and what is under it stays.
     window.hover_at(at);
     window.run_steps(2);
-    window.event(egui::Event::MouseWheel {
-        unit: egui::MouseWheelUnit::Point,
-        delta: egui::vec2(0.0, 120.0),
-        phase: egui::TouchPhase::Move,
-        source: egui::MouseWheelSource::Wheel,
-        modifiers: egui::Modifiers::NONE,
-    });
-    window.run_steps(12);
+    wheel(&mut window, 120.0);
     let view = window.state().state().scene.scatter;
     let [low, high] = view.window.expect("a part");
     assert!(low > 10.0 && high < 1e4, "{low} {high}");

@@ -3,7 +3,7 @@
 mod common;
 
 use common::skip_gpu;
-use common::window::{Window, click, drag, press, run, window};
+use common::window::{Window, click, drag, press, run, wheel, window};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
@@ -80,19 +80,12 @@ fn the_wheel_zooms_a_drag_pans_and_a_double_click_resets() {
         return;
     }
     let mut window = opened();
-    let wheel = |window: &mut Window, x: f32| {
+    let wheel_at = |window: &mut Window, x: f32| {
         window.hover_at(at(window, x, 0.5));
         window.run_steps(1);
-        window.event(egui::Event::MouseWheel {
-            unit: egui::MouseWheelUnit::Point,
-            delta: egui::vec2(0.0, 120.0),
-            phase: egui::TouchPhase::Move,
-            source: egui::MouseWheelSource::Wheel,
-            modifiers: Modifiers::NONE,
-        });
-        window.run_steps(12);
+        wheel(window, 120.0);
     };
-    wheel(&mut window, 0.6);
+    wheel_at(&mut window, 0.6);
     let [low, high] = view(&window).spec.window.expect("a part");
     assert!(high - low < 0.8 * std::f64::consts::PI);
     assert_eq!(view(&window).spec.limits, None);
@@ -104,7 +97,7 @@ fn the_wheel_zooms_a_drag_pans_and_a_double_click_resets() {
     drag(&mut window, &path);
     let [moved, end] = view(&window).spec.window.expect("a part");
     assert!(moved > low && ((end - moved) - (high - low)).abs() < 1e-6);
-    wheel(&mut window, 0.005);
+    wheel_at(&mut window, 0.005);
     assert!(view(&window).spec.limits.is_some());
     let point = at(&window, 0.6, 0.5);
     for _ in 0..2 {

@@ -3,7 +3,7 @@
 mod common;
 
 use common::skip_gpu;
-use common::window::{Window, drag, press, run, window};
+use common::window::{Window, drag, press, run, wheel, window};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
@@ -59,14 +59,7 @@ fn the_wheel_enlarges_the_sphere_around_the_pointer() {
     let sight = |window: &Window| window.state().state().scene.sphere.sight;
     let probe = |window: &Window| window.state().state().probe().expect("a probe");
     let before = probe(&window);
-    window.event(egui::Event::MouseWheel {
-        unit: egui::MouseWheelUnit::Point,
-        delta: egui::vec2(0.0, 240.0),
-        phase: egui::TouchPhase::Move,
-        source: egui::MouseWheelSource::Wheel,
-        modifiers: Modifiers::NONE,
-    });
-    window.run_steps(20);
+    wheel(&mut window, 240.0);
     assert!(sight(&window).zoom > 2.0, "{:?}", sight(&window));
     let after = probe(&window);
     assert!(after.wi.angle_between(before.wi) < 1e-3 && after.wo.angle_between(before.wo) < 1e-3);

@@ -99,6 +99,18 @@ pub fn drag(window: &mut Window, path: &[egui::Pos2]) {
     window.run_steps(3);
 }
 
+/// Turns the wheel by so many points where the pointer is, and lets the turn die away.
+pub fn wheel(window: &mut Window, points: f32) {
+    window.event(egui::Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Point,
+        delta: egui::vec2(0.0, points),
+        phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Wheel,
+        modifiers: Modifiers::NONE,
+    });
+    window.run_steps(20);
+}
+
 pub fn press(window: &mut Window, modifiers: Modifiers, key: Key) {
     window.key_press_modifiers(modifiers, key);
     window.run_steps(3);

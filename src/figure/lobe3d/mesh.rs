@@ -125,7 +125,11 @@ fn azimuth(share: f64, cos_theta_i: f64) -> f64 {
 pub fn sample(source: &Source, directions: &[DVec3]) -> Vec<Option<Rgb>> {
     let wi = mirror(directions[0]);
     let f_r = |wo: &DVec3| source.f_r(wi, *wo);
-    directions.par_iter().with_min_len(80).map(f_r).collect()
+    directions
+        .par_iter()
+        .with_min_len(Detail::Fine.spokes())
+        .map(f_r)
+        .collect()
 }
 
 /// A lobe as triangles: the point of a direction is as far from the origin as its value says.

@@ -70,9 +70,13 @@ fn farthest_from(all: &[DVec3]) -> f64 {
 
 #[test]
 fn a_layout_covers_the_dome_and_is_fine_around_the_mirror_direction() {
-    for (degrees, detail, farthest) in [0.0, 45.0, 80.0, 89.5_f64]
-        .into_iter()
-        .flat_map(|at| [(at, Detail::Fine, 0.09), (at, Detail::Coarse, 0.18)])
+    for (degrees, detail, farthest, hair) in
+        [0.0, 45.0, 80.0, 89.5_f64].into_iter().flat_map(|at| {
+            [
+                (at, Detail::Fine, 0.09, 2e-4),
+                (at, Detail::Coarse, 0.18, 7e-4),
+            ]
+        })
     {
         let all = layout(degrees.to_radians(), detail);
         let (rings, spokes) = (detail.rings(), detail.spokes());
@@ -89,7 +93,7 @@ fn a_layout_covers_the_dome_and_is_fine_around_the_mirror_direction() {
         let planted = farthest_from(&all[..all.len() - rings / 5 * spokes]);
         assert!(planted > farthest, "a bare rim went unnoticed");
         let second = all[1..=spokes].iter().map(|w| w.angle_between(all[0]));
-        assert!(second.fold(0.0, f64::max) < 7e-4);
+        assert!(second.fold(0.0, f64::max) < hair);
     }
 }
 

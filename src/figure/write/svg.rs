@@ -251,10 +251,12 @@ fn escaped(text: &str) -> String {
 
 /// Rows of straight RGBA as PNG; `None` where the sizes do not fit.
 fn png(picture: &Picture) -> Option<Vec<u8>> {
+    if !picture.is_whole() {
+        return None;
+    }
     let (width, height) = (picture.width as u32, picture.height as u32);
-    let pixels = image::RgbaImage::from_raw(width, height, picture.rgba.to_vec());
+    let pixels = image::RgbaImage::from_raw(width, height, picture.rgba.to_vec())?;
     let mut bytes = Cursor::new(Vec::new());
-    let pixels = pixels.filter(|_| picture.is_whole())?;
     pixels.write_to(&mut bytes, image::ImageFormat::Png).ok()?;
     Some(bytes.into_inner())
 }
