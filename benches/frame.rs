@@ -9,9 +9,13 @@
 //! `cargo bench --bench frame`. Needs Xvfb. Each window is a process of its own: winit opens one event loop only.
 
 use eframe::egui;
-use grazing::app::tiles::PANES;
-use grazing::app::update::Msg;
-use grazing::app::{App, Options, Picker};
+use grazing::app::App;
+use grazing::app::Options;
+use grazing::app::Picker;
+use grazing::app::msg::Msg;
+use grazing::app::state::views::VIEWS;
+use grazing::app::views::albedo::settings::MeasuredAlbedo;
+use grazing::app::views::landscape::settings::LandscapeQuery;
 use grazing::brdf::ParamId;
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader};
@@ -45,7 +49,7 @@ fn main() {
     std::thread::sleep(Duration::from_secs(1));
     let kinds: Vec<&str> = WINDOWS
         .into_iter()
-        .chain(PANES.iter().map(|row| row.key))
+        .chain(VIEWS.iter().map(|row| row.key))
         .collect();
     let mut times: BTreeMap<&str, Vec<Numbers>> = BTreeMap::new();
     for _ in 0..ROUNDS {
@@ -63,7 +67,7 @@ fn main() {
     ] {
         println!("  {name:<24} {:6.1} ms", frame_ms(kind));
     }
-    for row in PANES {
+    for row in VIEWS {
         let ratio = frame_ms(row.key) / frame_ms("panels");
         println!(
             "  {:<24} {:6.1} ms, {ratio:.2} × panels",
@@ -170,8 +174,8 @@ fn app(
         "panels" => app.close_tiles(),
         key => {
             app.close_tiles();
-            let row = PANES.iter().find(|row| row.key == key);
-            let pane = row.ok_or("no tile has this key")?.pane;
+            let row = VIEWS.iter().find(|row| row.key == key);
+            let pane = row.ok_or("no tile has this key")?.id;
             let toggle = grazing::app::command::Command::ToggleTile(pane);
             app.handle(&cc.egui_ctx, Msg::Run(toggle));
         }
@@ -202,8 +206,11 @@ impl Driver {
             return true;
         };
         let state = app.state();
-        let (landscape, albedo) = (&state.derived.landscape, &state.derived.measured_albedo);
-        let jobs = [landscape.progress(), albedo.progress()];
+        let caches = &state.caches;
+        let jobs = [
+            caches.progress::<LandscapeQuery>(),
+            caches.progress::<MeasuredAlbedo>(),
+        ];
         state.jobs.is_empty() && jobs.iter().all(Option::is_none)
     }
 }

@@ -1,9 +1,17 @@
 //! What a fit does to the state, message by message, without a window or an engine.
 
 use grazing::app::command::Command;
-use grazing::app::fitting::{FitMsg, Heard, Settings, Timed};
-use grazing::app::state::{MaterialId, Origin, State};
-use grazing::app::update::{Loaded, Msg, Task, apply};
+use grazing::app::msg::Loaded;
+use grazing::app::msg::Msg;
+use grazing::app::msg::Task;
+use grazing::app::msg::fit::FitMsg;
+use grazing::app::msg::fit::Timed;
+use grazing::app::reduce::apply;
+use grazing::app::state::State;
+use grazing::app::state::fitting::run::FitUpdates;
+use grazing::app::state::fitting::settings::Settings;
+use grazing::app::state::material::MaterialId;
+use grazing::app::state::material::Origin;
 use grazing::brdf::{Brdf, Fresnel, ParamId};
 use grazing::figure::scale::RadialScale;
 use grazing::fit::{Ended, Errors, Outcome, ProblemError, Progress, Stage, Variant, Weight};
@@ -65,8 +73,11 @@ fn say(state: &mut State, job: u64, position: usize, brdf: Brdf) {
         evaluations: 10,
         share: 0.5,
     };
-    let words = vec![(position, progress)];
-    apply(state, Msg::Fit(FitMsg::Heard(Heard { job, words })));
+    let updates = vec![(position, progress)];
+    apply(
+        state,
+        Msg::Fit(FitMsg::Updates(FitUpdates { job, updates })),
+    );
 }
 
 fn outcome(brdf: Brdf, error: f64, ended: Ended) -> Timed {
@@ -90,11 +101,7 @@ fn outcome(brdf: Brdf, error: f64, ended: Ended) -> Timed {
 
 fn done(state: &mut State, job: u64, outcomes: Vec<Timed>) {
     let result = Ok(outcomes);
-    let msg = FitMsg::Done {
-        job,
-        rest: None,
-        result,
-    };
+    let msg = FitMsg::Done { job, result };
     apply(state, Msg::Fit(msg));
 }
 
@@ -328,12 +335,12 @@ fn a_cancelled_fit_does_not_replace_one_that_was_asked_the_same() {
 
 /// The newest question for ρ_d and k_s, answered with this k_s.
 fn answer(state: &mut State, tasks: &[Task], k_s: f64) {
-    let Some(Task::Resolve(asked)) = tasks.last() else {
+    let Some(Task::RefitAmplitudes(asked)) = tasks.last() else {
         panic!("{tasks:?}")
     };
     let mut best = asked.brdf;
     best.params.k_s = [k_s; 3];
-    let msg = FitMsg::Resolved {
+    let msg = FitMsg::AmplitudesRefit {
         number: asked.number,
         material: asked.material,
         as_step: asked.as_step,
@@ -387,16 +394,16 @@ fn best_amplitudes_follow_the_model_and_what_cannot_be_had_says_so() {
         Command::GuessParams,
     ] {
         let tasks = run(&mut state, command);
-        let Some(Task::Resolve(asked)) = tasks.last() else {
+        let Some(Task::RefitAmplitudes(asked)) = tasks.last() else {
             panic!("{command:?}: {tasks:?}")
         };
         assert_eq!(asked.brdf, shown(&state));
     }
     let tasks = set(&mut state, ParamId::S, 4.0);
-    let Some(Task::Resolve(asked)) = tasks.last() else {
+    let Some(Task::RefitAmplitudes(asked)) = tasks.last() else {
         panic!("{tasks:?}")
     };
-    let msg = FitMsg::Resolved {
+    let msg = FitMsg::AmplitudesRefit {
         number: asked.number,
         material: asked.material,
         as_step: false,

@@ -5,11 +5,18 @@ mod common;
 use common::skip_gpu;
 use common::window::settle;
 use egui_kittest::{Harness, SnapshotOptions};
+use grazing::app::App;
+use grazing::app::Options;
+use grazing::app::Picker;
 use grazing::app::command::Command;
-use grazing::app::probe::Probe;
-use grazing::app::state::{Show, Theme};
-use grazing::app::update::Msg;
-use grazing::app::{App, Options, Picker};
+use grazing::app::msg::Msg;
+use grazing::app::state::prefs::Theme;
+use grazing::app::state::probe::Probe;
+use grazing::app::views::albedo::settings::MeasuredAlbedo;
+use grazing::app::views::albedo::settings::ModelAlbedo;
+use grazing::app::views::error_map::settings::ErrorMapQuery;
+use grazing::app::views::landscape::settings::LandscapeQuery;
+use grazing::app::views::sphere::settings::Show;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -101,12 +108,12 @@ fn every_view(theme: Theme, name: &str) {
     let probe = Probe::in_plane(1.0, 0.7);
     window.state_mut().handle(&ctx, Msg::Pin(Some(probe)));
     settle(&mut window, |state| {
-        let derived = &state.derived;
-        derived.measured_albedo.last().is_some()
-            && derived.model_albedo.last().is_some()
-            && derived.error_map.last().is_some()
-            && derived.landscape.last().is_some()
-            && derived.landscape.progress().is_none()
+        let caches = &state.caches;
+        caches.last::<MeasuredAlbedo>().is_some()
+            && caches.last::<ModelAlbedo>().is_some()
+            && caches.last::<ErrorMapQuery>().is_some()
+            && caches.last::<LandscapeQuery>().is_some()
+            && caches.progress::<LandscapeQuery>().is_none()
     });
     check(&mut window, name);
 }

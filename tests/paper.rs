@@ -5,7 +5,7 @@ mod common;
 use common::skip_gpu;
 use egui::{Color32, Rect, pos2, vec2};
 use egui_kittest::Harness;
-use grazing::app::paint::paint;
+use grazing::app::widgets::paint::paint;
 use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
 use grazing::figure::drawing::{Drawing, Item};
 use grazing::figure::heatmap::HeatMap;

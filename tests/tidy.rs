@@ -197,7 +197,7 @@ fn a_planted_arrow_backwards_is_caught() {
     let caught =
         |module: &str, text: &str| !complaints(rule(module), "planted.rs", text).is_empty();
     assert!(caught("geom", "use crate::brdf::Model;"));
-    assert!(caught("measured", "fn f() { crate::app::run(); }"));
+    assert!(caught("measured", "fn f() { grazing::app::run(); }"));
     assert!(caught("figure", "use egui::Color32;"));
     assert!(caught("fit", "let now = std::time::Instant::now();"));
     assert!(caught("gpu", "use eframe::egui_wgpu;"));

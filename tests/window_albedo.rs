@@ -7,17 +7,18 @@ use common::window::{Window, run, set_slider, settle, window};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use grazing::app::command::Command;
+use grazing::app::msg::Msg;
 use grazing::app::state::State;
-use grazing::app::subjects::Subjects;
-use grazing::app::tiles::Pane;
-use grazing::app::update::Msg;
-use grazing::app::views::albedo::curves;
+use grazing::app::state::subjects::Subjects;
+use grazing::app::state::views::ViewId;
+use grazing::app::views::albedo::settings::MeasuredAlbedo;
+use grazing::app::views::albedo::settings::curves;
 use grazing::brdf;
 use grazing::figure::Channel;
 
 fn known(state: &State) -> bool {
     let subjects = Subjects::of(state);
-    let curves = curves(&state.derived, &subjects.list);
+    let curves = curves(&state.caches, &subjects.list);
     curves
         .iter()
         .all(|curve| !curve.points.is_empty() && !curve.old)
@@ -31,8 +32,8 @@ fn opened() -> Window {
             .is_some()
     };
     if !is_shown(&window) {
-        run(&mut window, Command::ToggleTile(Pane::Albedo));
-        run(&mut window, Command::ToggleTile(Pane::Albedo));
+        run(&mut window, Command::ToggleTile(ViewId::Albedo));
+        run(&mut window, Command::ToggleTile(ViewId::Albedo));
     }
     assert!(is_shown(&window));
     settle(&mut window, known);
@@ -49,7 +50,7 @@ fn curves_are_computed_and_follow_the_model() {
         let state = window.state().state();
         let (_, opened) = state.current().expect("a material");
         let subjects = Subjects::of(state);
-        let curves = curves(&state.derived, &subjects.list);
+        let curves = curves(&state.caches, &subjects.list);
         let points = curves[1].points.iter();
         let off = |(found, wanted): (f64, f64)| (found - wanted).abs();
         points
@@ -62,7 +63,7 @@ fn curves_are_computed_and_follow_the_model() {
     assert_eq!(distance(&window), 0.0);
     let state = window.state().state();
     let subjects = Subjects::of(state);
-    let measured = curves(&state.derived, &subjects.list)[0].points;
+    let measured = curves(&state.caches, &subjects.list)[0].points;
     assert!(measured.iter().all(|p| p.measured > 0.5 && p.rgb[0] > 0.0));
     // A model of other parameters is seen.
     let ctx = window.ctx.clone();
@@ -106,7 +107,7 @@ fn another_material_has_its_own_curve() {
     let mut window = opened();
     let measured = |window: &Window| -> Vec<f64> {
         let state = window.state().state();
-        let curves = curves(&state.derived, &Subjects::of(state).list);
+        let curves = curves(&state.caches, &Subjects::of(state).list);
         curves[0].points.iter().map(|p| p.rgb[0]).collect()
     };
     let first = measured(&window);
@@ -118,7 +119,7 @@ fn another_material_has_its_own_curve() {
     let second = measured(&window);
     assert!(!second.is_empty() && second != first);
     assert_eq!(
-        window.state().state().derived.measured_albedo.progress(),
+        window.state().state().caches.progress::<MeasuredAlbedo>(),
         None
     );
 }

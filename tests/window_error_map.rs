@@ -7,20 +7,27 @@ use common::window::{Window, run, settle, window};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use grazing::app::command::Command;
-use grazing::app::tiles::Pane;
+use grazing::app::state::views::ViewId;
+use grazing::app::views::error_map::settings::ErrorMapQuery;
 use grazing::figure::error_map::Plane;
 use grazing::fit::Problem;
 
 fn open(window: &mut Window) {
-    run(window, Command::ToggleTile(Pane::ErrorMap));
-    run(window, Command::ToggleTile(Pane::ErrorMap));
+    run(window, Command::ToggleTile(ViewId::ErrorMap));
+    run(window, Command::ToggleTile(ViewId::ErrorMap));
     settle(window, |state| {
-        state.derived.error_map.last().is_some() && state.derived.error_map.progress().is_none()
+        state.caches.last::<ErrorMapQuery>().is_some()
+            && state.caches.progress::<ErrorMapQuery>().is_none()
     });
 }
 
 fn total(window: &Window) -> f64 {
-    let slot = &window.state().state().derived.error_map;
+    let slot = window
+        .state()
+        .state()
+        .caches
+        .get::<ErrorMapQuery>()
+        .expect("a cache");
     let (_, made) = slot.last().expect("made");
     made.as_ref().expect("cells").total
 }
@@ -45,9 +52,12 @@ fn its_total_is_the_error_of_the_shown_model() {
     assert!((first / error(&window) - 1.0).abs() < 1e-5);
     common::window::set_slider(&mut window, "s", 900.0);
     settle(&mut window, |state| {
-        let made = state.derived.error_map.last().map(|(wish, _)| wish.brdf);
+        let made = state
+            .caches
+            .last::<ErrorMapQuery>()
+            .map(|(wish, _)| wish.brdf);
         let shown = state.current().map(|(_, opened)| opened.brdf);
-        made == shown && state.derived.error_map.progress().is_none()
+        made == shown && state.caches.progress::<ErrorMapQuery>().is_none()
     });
     assert!((total(&window) / error(&window) - 1.0).abs() < 1e-5);
     assert!(

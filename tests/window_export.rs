@@ -6,7 +6,7 @@ use common::skip_gpu;
 use common::window::{Window, click, run, set_slider, settle, window_with};
 use grazing::app::Picker;
 use grazing::app::command::Command;
-use grazing::app::state::Level;
+use grazing::app::state::notice::Level;
 use grazing::brdf::{Brdf, share};
 use grazing::files::{MODEL_FORMATS, ModelFormat};
 use grazing::measured::merl;

@@ -8,10 +8,14 @@ use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use grazing::app::Picker;
 use grazing::app::command::Command;
-use grazing::app::paper::{PaperMsg, figure_of};
-use grazing::app::state::{Dialog, State};
-use grazing::app::tiles::{PANES, Pane};
-use grazing::app::update::Msg;
+use grazing::app::msg::Msg;
+use grazing::app::msg::figure::FigureMsg;
+use grazing::app::paper::figure::figure_of;
+use grazing::app::paper::work::PreviewQuery;
+use grazing::app::state::State;
+use grazing::app::state::notice::Dialog;
+use grazing::app::state::views::VIEWS;
+use grazing::app::state::views::ViewId;
 use grazing::export::{FigureSpec, Format};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -66,12 +70,14 @@ fn the_window_and_the_command_write_the_same_bytes() {
         let mut prefs = window.state().state().prefs.figure.clone();
         prefs.format = format;
         prefs.style.font_pt = 7.5;
-        handle(&mut window, Msg::Paper(PaperMsg::Set(prefs)));
+        handle(&mut window, Msg::Figure(FigureMsg::Set(prefs)));
         handle(
             &mut window,
-            Msg::Paper(PaperMsg::Choose(vec![Pane::Lobes, Pane::Slices])),
+            Msg::Figure(FigureMsg::Choose(vec![ViewId::Lobes, ViewId::Slices])),
         );
-        settle(&mut window, |state| state.derived.preview.last().is_some());
+        settle(&mut window, |state| {
+            state.caches.last::<PreviewQuery>().is_some()
+        });
         window
             .get_by_role_and_label(Role::Button, "Export…")
             .click();
@@ -105,10 +111,10 @@ fn every_view_can_be_put_on_paper() {
         state.fit.run.is_none() && state.current().is_some_and(|(m, _)| !m.fits.is_empty())
     });
     let state = window.state().state();
-    let panes: Vec<Pane> = PANES
+    let panes: Vec<ViewId> = VIEWS
         .iter()
-        .map(|row| row.pane)
-        .filter(|pane| *pane != Pane::Fits)
+        .map(|row| row.id)
+        .filter(|pane| *pane != ViewId::Fits)
         .collect();
     for pane in &panes {
         let figure = figure_of(state, &[*pane], 1, &state.prefs.figure.style);
@@ -117,7 +123,7 @@ fn every_view_can_be_put_on_paper() {
         assert_eq!(again, figure.spec, "{pane:?}");
     }
     assert_eq!(
-        figure_of(state, &[Pane::Fits], 1, &state.prefs.figure.style),
+        figure_of(state, &[ViewId::Fits], 1, &state.prefs.figure.style),
         None
     );
 }
@@ -131,7 +137,7 @@ fn a_place_that_cannot_be_written_to_is_named_and_a_foreign_file_is_kept() {
     let export = |path: PathBuf, wanted: &str| {
         let mut window = saving_to(path);
         run(&mut window, Command::ExportFigure);
-        handle(&mut window, Msg::Paper(PaperMsg::Export));
+        handle(&mut window, Msg::Figure(FigureMsg::Export));
         settle(&mut window, |state| said(state, wanted));
     };
     export(folder.path().join("no/lobes.svg"), "there is no directory");

@@ -8,9 +8,11 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 use grazing::app::command::Command;
-use grazing::app::fitting::{FitMsg, Settings, variant_name};
+use grazing::app::msg::Msg;
+use grazing::app::msg::fit::FitMsg;
 use grazing::app::state::State;
-use grazing::app::update::Msg;
+use grazing::app::state::fitting::kept::variant_name;
+use grazing::app::state::fitting::settings::Settings;
 use grazing::brdf::{Brdf, Fresnel, MODELS, ParamId};
 use grazing::fit::options::NO_LIMIT;
 use grazing::fit::{self, Ended, Options, Outcome, Problem, STAGES, Stage, Variant, Weight};
@@ -51,7 +53,9 @@ fn is_running(state: &State) -> bool {
 /// How many words the run under way has said.
 fn words(state: &State) -> usize {
     let run = state.fit.run.as_ref();
-    run.map_or(0, |run| run.parts.iter().map(|part| part.heard.len()).sum())
+    run.map_or(0, |run| {
+        run.parts.iter().map(|part| part.updates.len()).sum()
+    })
 }
 
 #[test]

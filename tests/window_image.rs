@@ -7,9 +7,9 @@ use common::window::{Window, drag, run, wheel, window};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use grazing::app::command::Command;
-use grazing::app::probe::Probe;
-use grazing::app::tiles::Pane;
-use grazing::app::update::Msg;
+use grazing::app::msg::Msg;
+use grazing::app::state::probe::Probe;
+use grazing::app::state::views::ViewId;
 use grazing::figure::heatmap::{HeatFrame, HeatMap};
 use grazing::figure::image_slice::Shown;
 use grazing::figure::subject::Source;
@@ -17,8 +17,8 @@ use grazing::geom::HalfDiff;
 
 fn open(window: &mut Window) {
     // Closed and opened again it is in front.
-    run(window, Command::ToggleTile(Pane::Image));
-    run(window, Command::ToggleTile(Pane::Image));
+    run(window, Command::ToggleTile(ViewId::Image));
+    run(window, Command::ToggleTile(ViewId::Image));
 }
 
 fn rect(window: &Window) -> egui::Rect {
@@ -123,7 +123,7 @@ fn settings_zoom_and_reset() {
     let mut window = window(vec![], vec![]);
     open(&mut window);
     // The sphere has buttons of these names too.
-    run(&mut window, Command::ToggleTile(Pane::Sphere));
+    run(&mut window, Command::ToggleTile(ViewId::Sphere));
     window.get_by_role_and_label(Role::Button, "Ratio").click();
     window.run_steps(3);
     assert_eq!(window.state().state().scene.image.shown, Shown::Ratio);

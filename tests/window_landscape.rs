@@ -7,19 +7,20 @@ use common::window::{Window, drag, run, settle, value, window};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use grazing::app::command::Command;
-use grazing::app::tiles::Pane;
-use grazing::app::views::landscape::path;
+use grazing::app::state::views::ViewId;
+use grazing::app::views::landscape::settings::LandscapeQuery;
+use grazing::app::views::landscape::settings::path;
 use grazing::brdf::ParamId;
 use grazing::fit::Problem;
 
 fn open(window: &mut Window) {
-    run(window, Command::ToggleTile(Pane::Landscape));
-    run(window, Command::ToggleTile(Pane::Landscape));
+    run(window, Command::ToggleTile(ViewId::Landscape));
+    run(window, Command::ToggleTile(ViewId::Landscape));
 }
 
 fn made(window: &mut Window) {
     settle(window, |state| {
-        let slot = &state.derived.landscape;
+        let slot = state.caches.get::<LandscapeQuery>().expect("a cache");
         let last = slot.last().and_then(|(_, made)| made.as_ref().ok());
         last.is_some_and(|landscape| landscape.best.is_some()) && slot.progress().is_none()
     });
@@ -81,7 +82,12 @@ fn the_way_of_a_fit_is_kept_and_ends_at_its_model() {
     assert_eq!(way.last(), Some(&[params.s, params.alpha]));
     open(&mut window);
     made(&mut window);
-    let slot = &window.state().state().derived.landscape;
+    let slot = window
+        .state()
+        .state()
+        .caches
+        .get::<LandscapeQuery>()
+        .expect("a cache");
     let (_, landscape) = slot.last().expect("made");
     let (_, least) = landscape.as_ref().expect("cells").best.expect("finest");
     let fit = window.state().state().current_fit().expect("kept");
@@ -102,7 +108,12 @@ fn it_is_stopped_and_goes_on() {
     window.run_steps(3);
     window.get_by_role_and_label(Role::Button, "Stop").click();
     window.run_steps(3);
-    let slot = &window.state().state().derived.landscape;
+    let slot = window
+        .state()
+        .state()
+        .caches
+        .get::<LandscapeQuery>()
+        .expect("a cache");
     assert!(slot.progress().is_none());
     window.run_steps(5);
     window.get_by_role_and_label(Role::Button, "Go on").click();
@@ -111,9 +122,8 @@ fn it_is_stopped_and_goes_on() {
         window
             .state()
             .state()
-            .derived
-            .landscape
-            .progress()
+            .caches
+            .progress::<LandscapeQuery>()
             .is_some()
     );
 }

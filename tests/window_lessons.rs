@@ -7,7 +7,7 @@ use common::window::{Window, click, run, set_slider, settle, value, window};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use grazing::app::command::Command;
-use grazing::app::lessons::LESSONS;
+use grazing::app::lessons::rows::LESSONS;
 use grazing::app::state::State;
 use grazing::brdf::ParamId;
 

@@ -8,11 +8,18 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 use grazing::app::command::Command;
-use grazing::app::fitting::{FitMsg, Settings};
-use grazing::app::library::{Kind, LibraryMsg, Presence, Scan, Sort, SortKey, memory};
+use grazing::app::msg::Msg;
+use grazing::app::msg::fit::FitMsg;
+use grazing::app::msg::library::LibraryMsg;
 use grazing::app::state::State;
-use grazing::app::tiles::Pane;
-use grazing::app::update::Msg;
+use grazing::app::state::fitting::settings::Settings;
+use grazing::app::state::library::Kind;
+use grazing::app::state::library::Scan;
+use grazing::app::state::library::listing::Sort;
+use grazing::app::state::library::listing::SortKey;
+use grazing::app::state::material::Presence;
+use grazing::app::state::memory;
+use grazing::app::state::views::ViewId;
 use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
 use grazing::figure::palette::Role as ColorRole;
 use grazing::figure::scatter::{ScatterDot, ScatterPlot};
@@ -51,7 +58,7 @@ fn is_scanned(state: &State) -> bool {
 }
 
 fn is_quiet(state: &State) -> bool {
-    state.jobs.is_empty() && state.library.wish.is_none() && state.fit.run.is_none()
+    state.jobs.is_empty() && state.library.pending.is_none() && state.fit.run.is_none()
 }
 
 fn send(window: &mut Window, msg: LibraryMsg) {
@@ -237,7 +244,7 @@ fn tables_stay_within_the_limit_and_come_back_when_they_are_shown() {
         let opened = state.scene.opened.iter();
         let presence = opened.map(|opened| state.materials[&opened.id].presence);
         presence
-            .map(|presence| presence == Presence::Here)
+            .map(|presence| presence == Presence::Loaded)
             .collect()
     };
     assert_eq!(here(window.state().state()), [false, false, true, true]);
@@ -520,8 +527,8 @@ fn fitted_materials_are_dots_that_show_them() {
     let mut window = window(folder.path());
     assert_eq!(name(&window), "a");
     // It is open behind the sphere: closed and opened again, it is in front.
-    run(&mut window, Command::ToggleTile(Pane::Scatter));
-    run(&mut window, Command::ToggleTile(Pane::Scatter));
+    run(&mut window, Command::ToggleTile(ViewId::Scatter));
+    run(&mut window, Command::ToggleTile(ViewId::Scatter));
     let rect = window.get_by_role_and_label(Role::Image, "Scatter").rect();
     let dot = |fit: &FitRecord| ScatterDot {
         name: fit.material.clone(),

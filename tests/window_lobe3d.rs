@@ -8,10 +8,10 @@ use egui::Rect;
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use grazing::app::command::Command;
-use grazing::app::probe::Probe;
-use grazing::app::tiles::Pane;
-use grazing::app::update::Msg;
-use grazing::app::views::lobe3d::Lobe3dView;
+use grazing::app::msg::Msg;
+use grazing::app::state::probe::Probe;
+use grazing::app::state::views::ViewId;
+use grazing::app::views::lobe3d::settings::Lobe3dView;
 use grazing::figure::lobe3d::Camera;
 use grazing::figure::scale::RadialScale;
 use grazing::geom::direction;
@@ -20,13 +20,13 @@ use grazing::geom::direction;
 fn opened() -> Window {
     let mut window = window(vec![], vec![]);
     settle(&mut window, |state| state.current().is_some());
-    send(&mut window, Msg::Run(Command::ToggleTile(Pane::Lobe3d)));
+    send(&mut window, Msg::Run(Command::ToggleTile(ViewId::Lobe3d)));
     if window
         .query_by_role_and_label(Role::Image, "3D lobe")
         .is_none()
     {
         // It was open behind another one.
-        run(&mut window, Command::ToggleTile(Pane::Lobe3d));
+        run(&mut window, Command::ToggleTile(ViewId::Lobe3d));
     }
     window
 }

@@ -4,8 +4,10 @@ mod common;
 
 use common::window::Window;
 use common::{skip_gpu, write_merl};
-use grazing::app::state::{Level, Notice, State};
-use grazing::app::update::Msg;
+use grazing::app::msg::Msg;
+use grazing::app::state::State;
+use grazing::app::state::notice::Level;
+use grazing::app::state::notice::Notice;
 use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
 use grazing::files;
 use grazing::files::fits::{FitRecord, SourceFile, write_json};

@@ -8,11 +8,13 @@ use egui::accesskit::Role;
 use egui::{Pos2, Rect};
 use egui_kittest::kittest::Queryable;
 use grazing::app::command::Command;
-use grazing::app::derived;
-use grazing::app::probe::Probe;
-use grazing::app::update::Msg;
-use grazing::app::views::albedo::MeasuredAlbedo;
-use grazing::app::views::landscape::LandscapeWish;
+use grazing::app::msg::Msg;
+use grazing::app::msg::cache::stop;
+use grazing::app::state::probe::Probe;
+use grazing::app::views::albedo::settings::MeasuredAlbedo;
+use grazing::app::views::albedo::settings::ModelAlbedo;
+use grazing::app::views::error_map::settings::ErrorMapQuery;
+use grazing::app::views::landscape::settings::LandscapeQuery;
 use image::RgbaImage;
 use std::collections::HashMap;
 use std::time::Duration;
@@ -37,15 +39,15 @@ fn opened() -> Window {
     window.state_mut().tiles_side_by_side();
     // They would take a while, and the probe is marked without them.
     window.run_steps(2);
-    send(&mut window, derived::stop::<LandscapeWish>());
-    send(&mut window, derived::stop::<MeasuredAlbedo>());
+    send(&mut window, stop::<LandscapeQuery>());
+    send(&mut window, stop::<MeasuredAlbedo>());
     run(&mut window, Command::UseLights(1));
     settle(&mut window, |state| {
-        let derived = &state.derived;
-        derived.error_map.last().is_some()
-            && derived.model_albedo.last().is_some()
-            && derived.measured_albedo.progress().is_none()
-            && derived.landscape.progress().is_none()
+        let caches = &state.caches;
+        caches.last::<ErrorMapQuery>().is_some()
+            && caches.last::<ModelAlbedo>().is_some()
+            && caches.progress::<MeasuredAlbedo>().is_none()
+            && caches.progress::<LandscapeQuery>().is_none()
     });
     away(&mut window);
     window

@@ -8,13 +8,15 @@ use eframe::App as _;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
+use grazing::app::Options;
+use grazing::app::Picker;
 use grazing::app::command::Command;
-use grazing::app::fitting::FitMsg;
-use grazing::app::session::SessionFile;
-use grazing::app::state::{Level, State};
-use grazing::app::tiles::Pane;
-use grazing::app::update::Msg;
-use grazing::app::{Options, Picker};
+use grazing::app::msg::Msg;
+use grazing::app::msg::fit::FitMsg;
+use grazing::app::session::file::SessionFile;
+use grazing::app::state::State;
+use grazing::app::state::notice::Level;
+use grazing::app::state::views::ViewId;
 use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
 use grazing::files::SourceFile;
 use grazing::files::fits::{FitRecord, write_json};
@@ -111,9 +113,9 @@ fn make_rich(window: &mut Window, gold: &Path) {
     run(window, Command::UseFresnel(Fresnel::None));
     run(window, Command::UseLights(2));
     run(window, Command::ToggleCosine);
-    run(window, Command::ToggleTile(Pane::Slices));
+    run(window, Command::ToggleTile(ViewId::Slices));
     send(window, Msg::SetBeside(0, true));
-    let probe = grazing::app::probe::Probe::in_plane(0.9, 0.4);
+    let probe = grazing::app::state::probe::Probe::in_plane(0.9, 0.4);
     send(window, Msg::Pin(Some(probe)));
 }
 
@@ -193,7 +195,7 @@ fn a_saved_session_opens_in_a_new_window_with_the_same_numbers_on_screen() {
     assert_eq!(names(state), ["gold", "tin", "Green lacquer (synthetic)"]);
     assert_eq!(state.notices, []);
     assert_eq!(state.prefs.recent.front(), Some(&file));
-    assert!(!state.tiles.is_open(Pane::Slices));
+    assert!(!state.tiles.is_open(ViewId::Slices));
     assert_eq!(data(&second), data(&first));
     for window in [&mut first, &mut second] {
         settle(window, |state| {

@@ -8,18 +8,18 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use grazing::app::command::Command;
-use grazing::app::probe::Probe;
-use grazing::app::tiles::Pane;
-use grazing::app::update::Msg;
-use grazing::app::views::SlicesView;
+use grazing::app::msg::Msg;
+use grazing::app::state::probe::Probe;
+use grazing::app::state::views::ViewId;
+use grazing::app::views::slices::settings::SlicesView;
 use grazing::figure::slices::{Over, Residual};
 
 fn opened() -> Window {
     let mut window = window(vec![], vec![]);
     if !has_plot(&window) {
         // Open behind another tile: closed and opened it is in front.
-        run(&mut window, Command::ToggleTile(Pane::Slices));
-        run(&mut window, Command::ToggleTile(Pane::Slices));
+        run(&mut window, Command::ToggleTile(ViewId::Slices));
+        run(&mut window, Command::ToggleTile(ViewId::Slices));
     }
     assert!(has_plot(&window));
     window

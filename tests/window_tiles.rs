@@ -8,8 +8,8 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use grazing::app::command::Command;
-use grazing::app::subjects::What;
-use grazing::app::tiles::Pane;
+use grazing::app::state::subject_key::What;
+use grazing::app::state::views::ViewId;
 
 #[test]
 fn a_click_pins_the_probe_and_copies_its_row() {
@@ -112,7 +112,7 @@ fn tiles_close_and_come_back() {
         return;
     }
     let mut window = window(vec![], vec![]);
-    let toggle = Command::ToggleTile(Pane::Lobes);
+    let toggle = Command::ToggleTile(ViewId::Lobes);
     let lobes = |window: &Window| {
         window
             .query_by_role_and_label(Role::Image, "Polar lobes")
@@ -130,7 +130,7 @@ fn tiles_close_and_come_back() {
         .get_by_role_and_label(Role::Button, "Help: Polar lobes")
         .click();
     window.run_steps(3);
-    let help = Pane::Lobes.row().help[0];
+    let help = ViewId::Lobes.about().help[0];
     window.get_by_label(help);
 }
 

@@ -1,53 +1,58 @@
 //! The window: egui over the state. Panels read the state and push messages; [`update::apply`] changes it.
 
+use crate::app::panels::tiles::tiles_ui;
 pub mod command;
-pub mod derived;
-pub mod fitting;
-mod formula;
-mod history;
-mod jobs;
+pub mod jobs;
 pub mod lessons;
-pub mod library;
-mod open_fits;
-mod opening;
-pub mod paint;
-mod panels;
+pub mod msg;
+pub mod panels;
 pub mod paper;
-mod prefs;
-pub mod probe;
-mod run_command;
+pub mod reduce;
 pub mod session;
 pub mod startup;
 pub mod state;
-pub mod subjects;
 mod tasks;
-pub mod tiles;
-pub mod update;
 pub mod views;
+pub mod widgets;
 
-pub use startup::run;
-pub use tasks::Picker;
-
-use command::ENTRIES;
+use crate::app::command::ENTRIES;
+use crate::app::jobs::Jobs;
+use crate::app::jobs::autosave::Autosave;
+use crate::app::jobs::prepare_threads;
+use crate::app::jobs::sender::Sender;
+use crate::app::lessons::LookAt;
+use crate::app::msg::Msg;
+use crate::app::panels::dialogs;
+use crate::app::panels::fit;
+use crate::app::panels::lesson;
+use crate::app::panels::library::library_ui;
+use crate::app::panels::menu;
+use crate::app::panels::model;
+use crate::app::panels::notices;
+use crate::app::panels::status;
+use crate::app::reduce::apply;
+use crate::app::state::State;
+use crate::app::state::layout::Tiles;
+use crate::app::state::notice::Level;
+use crate::app::state::prefs::Prefs;
+use crate::app::state::prefs::Theme;
+use crate::app::tasks::Tools;
 use egui::{Key, KeyboardShortcut, Modifiers};
-use fitting::FitMsg;
-use fitting::work::Fitter;
-use jobs::{Outbox, Queue};
-use lessons::LookAt;
-use panels::library::library_ui;
-use panels::{dialogs, fit, lesson, menu, model, notices, status};
-use session::autosave::Autosave;
-use state::{Level, Prefs, State, Theme};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::mpsc::Receiver;
-use tiles::Tiles;
-use update::{Msg, apply};
+use std::time::Duration;
 
+pub use jobs::dialogs::Picker;
+pub use startup::run;
 /// Where the preferences are kept in the storage.
 const PREFS_KEY: &str = "grazing.prefs";
 
 /// Where the layout is kept in the storage.
 const LAYOUT_KEY: &str = "grazing.layout";
+
+/// How long the end of the program waits for jobs that were told to stop.
+const PATIENCE: Duration = Duration::from_millis(300);
 
 /// Height of the fit's panel in points, where the window leaves it that.
 const FIT_HEIGHT: f32 = 350.0;
@@ -65,11 +70,8 @@ pub struct Options {
 /// The program in its window.
 pub struct App {
     state: State,
-    outbox: Outbox,
     inbox: Receiver<Msg>,
-    queue: Queue,
-    fitter: Fitter,
-    picker: Picker,
+    tools: Tools,
     adapter: String,
     autosave: Option<Autosave>,
     shown_theme: Option<Theme>,
@@ -89,17 +91,19 @@ impl App {
             .wgpu_render_state
             .as_ref()
             .ok_or("the window has no wgpu renderer")?;
-        tiles::sphere_callback::install(render_state);
-        tiles::lobe3d_callback::install(render_state);
+        crate::app::views::sphere::callback::install(render_state);
+        crate::app::views::lobe3d::callback::install(render_state);
         set_style(&cc.egui_ctx);
-        let (outbox, inbox) = Outbox::new(cc.egui_ctx.clone());
+        prepare_threads();
+        let (sender, inbox) = Sender::new(cc.egui_ctx.clone());
         let mut app = Self {
             state: State::default(),
-            outbox: outbox.clone(),
             inbox,
-            queue: Queue::start()?,
-            fitter: Fitter::start(outbox)?,
-            picker: options.picker,
+            tools: Tools {
+                jobs: Jobs::new(sender),
+                problems: Arc::default(),
+                picker: options.picker,
+            },
             adapter: crate::gpu::adapter::describe(&render_state.adapter.get_info()),
             autosave: None,
             shown_theme: None,
@@ -129,6 +133,11 @@ impl App {
         Ok(app)
     }
 
+    /// Lets the next job panic whose words contain `doing`: for tests.
+    pub fn plant_panic(&self, doing: &str) {
+        self.tools.jobs.plant_panic(doing);
+    }
+
     /// What the window shows, for tests.
     pub fn state(&self) -> &State {
         &self.state
@@ -147,14 +156,7 @@ impl App {
     /// Applies a message and starts what follows from it.
     pub fn handle(&mut self, ctx: &egui::Context, msg: Msg) {
         for task in apply(&mut self.state, msg) {
-            tasks::start(
-                task,
-                ctx,
-                &self.outbox,
-                &self.queue,
-                &mut self.fitter,
-                &self.picker,
-            );
+            tasks::start(task, &self.state, &self.tools, ctx);
         }
     }
 
@@ -164,7 +166,9 @@ impl App {
                 self.autosave = Some(autosave);
                 self.state.session.crashed = crashed;
             }
-            Err(error) => update::notify(&mut self.state, Level::Error, error.to_string()),
+            Err(error) => {
+                crate::app::reduce::notify(&mut self.state, Level::Error, error.to_string())
+            }
         }
     }
 
@@ -188,15 +192,10 @@ impl App {
             .default_size(316.0)
             .size_range(260.0..=520.0)
             .show(ui, |ui| right_ui(ui, state, out));
-        // Out of the state while they are drawn: a person moves them, and the views read the rest.
-        let mut tiles = std::mem::replace(&mut self.state.tiles, Tiles::none());
-        let state = &self.state;
         let ground = egui::Frame::NONE.fill(ui.visuals().panel_fill);
         egui::CentralPanel::no_frame()
             .frame(ground)
-            .show(ui, |ui| tiles.ui(ui, state, out));
-        self.state.tiles = tiles;
-        let state = &self.state;
+            .show(ui, |ui| tiles_ui(ui, state, out));
         lesson::lesson_ui(ui.ctx(), state, out);
         notices::notices_ui(ui.ctx(), state, out);
         panels::session::session_ui(ui.ctx(), state, out);
@@ -215,12 +214,7 @@ impl eframe::App for App {
                 Theme::Dark => egui::ThemePreference::Dark,
             });
         }
-        // Before the inbox: the message that a fit has ended comes after its last words.
-        let heard = self
-            .fitter
-            .heard()
-            .map(|heard| Msg::Fit(FitMsg::Heard(heard)));
-        let mut out: Vec<Msg> = heard.into_iter().chain(self.inbox.try_iter()).collect();
+        let mut out: Vec<Msg> = self.inbox.try_iter().collect();
         shortcuts(&ctx, &self.state, &mut out);
         dropped_files(&ctx, &mut out);
         self.panels_ui(ui, &mut out);
@@ -239,7 +233,7 @@ impl eframe::App for App {
         }
         self.title_ui(&ctx);
         if let Some(autosave) = &mut self.autosave {
-            autosave.tick(&self.state, &ctx, &self.outbox);
+            autosave.tick(&self.state, &ctx, &self.tools.jobs);
         }
         if changed {
             // The panels above were drawn from the state before these messages.
@@ -259,7 +253,7 @@ impl eframe::App for App {
         if let Some(run) = &self.state.fit.run {
             run.cancel.set();
         }
-        self.fitter.finish();
+        self.tools.jobs.wait(PATIENCE);
         if let Some(autosave) = &mut self.autosave {
             autosave.end(&self.state);
         }

@@ -1,6 +1,8 @@
 //! Opening the window, and plain words where it cannot be opened.
 
-use super::{App, Options, Picker};
+use crate::app::App;
+use crate::app::Options;
+use crate::app::jobs::dialogs::Picker;
 use crate::gpu::adapter;
 use eframe::egui_wgpu;
 use std::path::PathBuf;

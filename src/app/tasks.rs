@@ -1,168 +1,77 @@
-//! Tasks: what [`super::update::apply`] asks to be done outside the state.
+//! Starting tasks: what [`crate::app::reduce::apply`] asks to be done outside the state.
 
-use super::fitting::work::Fitter;
-use super::jobs::{self, Outbox, Queue};
-use super::library;
-use super::paper;
-use super::session;
-use super::state::Level;
-use super::update::{Msg, Task};
-use crate::brdf::Brdf;
-use crate::files::session::ENDING;
-use crate::files::{self, ModelFormat};
+use crate::app::jobs::Jobs;
+use crate::app::jobs::dialogs;
+use crate::app::jobs::dialogs::Picker;
+use crate::app::jobs::dialogs::ask;
+use crate::app::jobs::dialogs::ask_and_write;
+use crate::app::jobs::fit::Problems;
+use crate::app::jobs::fit::fit;
+use crate::app::jobs::fit::refit_amplitudes;
+use crate::app::jobs::library;
+use crate::app::jobs::load::load;
+use crate::app::jobs::session;
+use crate::app::msg::Msg;
+use crate::app::msg::Task;
+use crate::app::msg::figure::FigureTask;
+use crate::app::paper::figure::figure_of;
+use crate::app::paper::work;
+use crate::app::state::State;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder as _};
-use std::io::{self, Write};
+use std::io;
+use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::thread;
-use std::time::{Duration, Instant};
 
-/// A dialog that is gone sooner was never there: nobody cancels so fast, and the library does not tell the two apart.
-pub(super) const NO_DIALOG: Duration = Duration::from_millis(250);
-const NO_ANSWER: &str = "No file dialog answered; install one: sudo apt-get install -y zenity.";
-
-pub(super) type SavePicker = dyn Fn(&str) -> Option<PathBuf> + Send + Sync;
-
-/// How a person is asked for files; a test hands its own.
-#[derive(Clone)]
-pub struct Picker {
-    /// Asks for files to open; empty where cancelled.
-    pub open: Arc<dyn Fn() -> Vec<PathBuf> + Send + Sync>,
-    /// Asks for a folder.
-    pub folder: Arc<dyn Fn() -> Option<PathBuf> + Send + Sync>,
-    /// Asks where to write, given a proposed name.
-    pub save: Arc<SavePicker>,
+/// What tasks are done with.
+pub struct Tools {
+    /// Starts jobs.
+    pub jobs: Jobs,
+    /// The last fit problem.
+    pub problems: Arc<Problems>,
+    /// Asks for files.
+    pub picker: Picker,
 }
 
-impl Picker {
-    /// The system's file dialogs.
-    pub fn system() -> Self {
-        Self {
-            open: Arc::new(|| {
-                rfd::FileDialog::new()
-                    .set_title("Open materials")
-                    .add_filter("MERL, fit files and sessions", &["binary", "json"])
-                    .add_filter("All files", &["*"])
-                    .pick_files()
-                    .unwrap_or_default()
-            }),
-            folder: Arc::new(|| {
-                rfd::FileDialog::new()
-                    .set_title("Open folder")
-                    .pick_folder()
-            }),
-            save: Arc::new(|name| {
-                let mut dialog = rfd::FileDialog::new().set_file_name(name);
-                if let Some(kind) = SAVED.iter().find(|kind| name.ends_with(kind.ending)) {
-                    let extension = kind.ending.rsplit('.').next().unwrap_or_default();
-                    dialog = dialog
-                        .set_title(kind.title)
-                        .add_filter(kind.filter, &[extension]);
-                }
-                dialog.save_file()
-            }),
-        }
-    }
-}
-
-/// What the dialog for saving says of a kind of file.
-struct Saved {
-    ending: &'static str,
-    title: &'static str,
-    filter: &'static str,
-}
-
-const SAVED: [Saved; 11] = [
-    saved(ENDING, "Save session", "Session"),
-    saved(".json", "Save fits", "Fit file"),
-    saved(".png", "Save picture", "PNG picture"),
-    saved(".svg", "Export figure", "SVG figure"),
-    saved(".pdf", "Export figure", "PDF figure"),
-    saved(".csv", "Export figure", "CSV table"),
-    saved(".exr", "Export figure", "EXR picture"),
-    saved(".binary", "Export model", "MERL file"),
-    saved(".brdf", "Export model", "Disney BRDF"),
-    saved(".wgsl", "Export model", "WGSL text"),
-    saved(".glsl", "Export model", "GLSL text"),
-];
-
-const fn saved(ending: &'static str, title: &'static str, filter: &'static str) -> Saved {
-    Saved {
-        ending,
-        title,
-        filter,
-    }
-}
-
-/// A model to be written for other programs.
-#[derive(Debug)]
-pub struct ModelExport {
-    /// As what.
-    pub format: ModelFormat,
-    /// Name of the material it was laid over.
-    pub material: String,
-    /// The model with its numbers.
-    pub brdf: Brdf,
-}
-
-/// What to say where a dialog did not open.
-pub(super) fn no_dialog() -> Msg {
-    let text = format!("{NO_ANSWER} Open path… and dropping files work without it.");
-    Msg::Notify(Level::Error, text)
-}
-
-/// Starts a task. None waits here.
-pub fn start(
-    task: Task,
-    ctx: &egui::Context,
-    outbox: &Outbox,
-    queue: &Queue,
-    fitter: &mut Fitter,
-    picker: &Picker,
-) {
+/// Starts a task of this state. None waits here.
+pub fn start(task: Task, state: &State, tools: &Tools, ctx: &egui::Context) {
+    let Tools {
+        jobs,
+        problems,
+        picker,
+    } = tools;
     match task {
         Task::Load {
             job,
             origin,
             fits,
             cancel,
-        } => {
-            let outbox = outbox.clone();
-            queue.push(move || jobs::load(job, origin, fits, &cancel, &outbox));
-        }
-        Task::Fit(task) => fitter.fit(task),
-        Task::Resolve(resolve) => fitter.resolve(resolve),
-        Task::Library(task) => library::start(task, outbox, picker),
-        Task::Session(task) => session::start(task, outbox, picker),
-        Task::Derive(work) => {
-            let outbox = outbox.clone();
-            in_thread(&outbox.clone(), "view", move || work.run(&outbox));
-        }
+        } => jobs.start(load(job, origin, fits, cancel)),
+        Task::Fit(task) => jobs.start(fit(task, Arc::clone(problems))),
+        Task::RefitAmplitudes(task) => jobs.start(refit_amplitudes(task, Arc::clone(problems))),
+        Task::Library(task) => library::start(task, jobs, picker),
+        Task::Session(task) => session::start(task, jobs, picker),
+        Task::Start(work) => jobs.start(work),
         Task::PickFiles => {
-            let (outbox, open) = (outbox.clone(), Arc::clone(&picker.open));
-            in_thread(&outbox.clone(), "open dialog", move || {
-                let asked = Instant::now();
-                let paths = open();
-                if !paths.is_empty() {
-                    outbox.send(Msg::OpenFiles(paths));
-                } else if asked.elapsed() < NO_DIALOG {
-                    outbox.send(no_dialog());
-                }
-            });
+            let open = Arc::clone(&picker.open);
+            let some = move || Some(open()).filter(|paths| !paths.is_empty());
+            let opened =
+                |paths: Vec<PathBuf>, send: &(dyn Fn(Msg) + Sync)| send(Msg::OpenFiles(paths));
+            ask(jobs, "asking for files", dialogs::NOT_OPENED, some, opened);
         }
-        Task::Paper(task) => paper::start(task, ctx, outbox, picker),
+        Task::Figure(task) => start_figure(task, state, tools),
         Task::ExportModel(export) => {
             let name = export.format.file_name(&export.brdf, &export.material);
-            ask_and_write(outbox, &picker.save, name, move |file| {
+            ask_and_write(jobs, &picker.save, name, move |file| {
                 let material = Some(export.material.as_str());
                 export.format.write(&export.brdf, material, file)
             });
         }
         Task::SavePicture => {
-            let (outbox, save) = (outbox.clone(), Arc::clone(&picker.save));
+            let (jobs, save) = (jobs.clone(), Arc::clone(&picker.save));
             let arrived = move |picture: Arc<egui::ColorImage>| {
-                ask_and_write(&outbox, &save, "grazing.png".into(), move |file| {
+                ask_and_write(&jobs, &save, "grazing.png".into(), move |file| {
                     write_png(&picture, file)
                 });
             };
@@ -175,41 +84,28 @@ pub fn start(
     }
 }
 
-/// Asks where to, proposing a name, writes the file there and says so.
-pub(super) fn ask_and_write(
-    outbox: &Outbox,
-    save: &Arc<SavePicker>,
-    name: String,
-    write: impl FnOnce(&mut dyn Write) -> io::Result<()> + Send + 'static,
-) {
-    ask_and_do(outbox, save, name, move |path| {
-        // The dialog has asked about an existing file.
-        files::write_atomically(&path, true, write).map_err(|error| error.to_string())?;
-        Ok(path)
-    });
-}
-
-/// Asks where to, proposing a name, does the work there and says what it has saved.
-pub(super) fn ask_and_do(
-    outbox: &Outbox,
-    save: &Arc<SavePicker>,
-    name: String,
-    work: impl FnOnce(PathBuf) -> Result<PathBuf, String> + Send + 'static,
-) {
-    let (told, save) = (outbox.clone(), Arc::clone(save));
-    in_thread(outbox, "save dialog", move || {
-        let asked = Instant::now();
-        let Some(path) = save(&name) else {
-            if asked.elapsed() < NO_DIALOG {
-                told.send(Msg::Notify(Level::Error, NO_ANSWER.into()));
+/// Figures are made from what the state shows when they are asked for.
+fn start_figure(task: FigureTask, state: &State, tools: &Tools) {
+    let (jobs, prefs) = (&tools.jobs, &state.prefs.figure);
+    match task {
+        FigureTask::Export(views) => {
+            let figure = figure_of(state, &views, prefs.columns, &prefs.style);
+            if let Some(figure) = figure {
+                let (format, name) = (prefs.format, work::file_name(state, &views, prefs.format));
+                work::export(figure, format, name, jobs, &tools.picker.save);
             }
-            return;
-        };
-        told.send(match work(path) {
-            Ok(path) => Msg::Notify(Level::Info, format!("Saved {}", path.display())),
-            Err(reason) => Msg::Notify(Level::Error, reason),
-        });
-    });
+        }
+        FigureTask::CopyPicture(view) => {
+            if let Some(figure) = figure_of(state, &[view], 1, &prefs.style) {
+                work::copy_picture(figure, view.about().name, jobs);
+            }
+        }
+        FigureTask::CopyNumbers(view) => {
+            if let Some(figure) = figure_of(state, &[view], 1, &prefs.style) {
+                work::copy_numbers(figure, view.about().name, jobs);
+            }
+        }
+    }
 }
 
 fn write_png(picture: &egui::ColorImage, file: &mut dyn Write) -> io::Result<()> {
@@ -222,13 +118,4 @@ fn write_png(picture: &egui::ColorImage, file: &mut dyn Write) -> io::Result<()>
     PngEncoder::new(file)
         .write_image(&bytes, width, height, ExtendedColorType::Rgb8)
         .map_err(io::Error::other)
-}
-
-pub(super) fn in_thread(outbox: &Outbox, name: &str, work: impl FnOnce() + Send + 'static) {
-    if let Err(error) = thread::Builder::new().name(name.into()).spawn(work) {
-        outbox.send(Msg::Notify(
-            Level::Error,
-            format!("could not start a thread for the {name}: {error}"),
-        ));
-    }
 }

@@ -1,9 +1,13 @@
 //! The rows of the command list, in menu order.
 
-use super::{Command, Entry, Place};
-use crate::app::lessons::LESSONS;
-use crate::app::state::{SHOWS, Show, Theme};
-use crate::app::tiles::PANES;
+use crate::app::command::Command;
+use crate::app::command::Entry;
+use crate::app::command::Place;
+use crate::app::lessons::rows::LESSONS;
+use crate::app::state::prefs::Theme;
+use crate::app::state::views::VIEWS;
+use crate::app::views::sphere::settings::SHOWS;
+use crate::app::views::sphere::settings::Show;
 use crate::brdf::MODELS;
 use crate::brdf::fresnel::{FRESNELS, Fresnel};
 use crate::figure::scale::RADIAL_SCALES;
@@ -14,7 +18,7 @@ use crate::geom::sphere_error::SphereError;
 use crate::measured::samples::SAMPLES;
 use egui::{Key, KeyboardShortcut, Modifiers};
 
-pub(super) fn entries() -> Vec<Entry> {
+pub(crate) fn entries() -> Vec<Entry> {
     const CTRL: Modifiers = Modifiers::COMMAND;
     const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
     let mut list = Vec::new();
@@ -306,11 +310,11 @@ pub(super) fn entries() -> Vec<Entry> {
             "Colours of the window",
         );
     }
-    for row in PANES {
+    for row in VIEWS {
         add(
             "View",
             "Tiles",
-            Command::ToggleTile(row.pane),
+            Command::ToggleTile(row.id),
             row.name,
             None,
             row.help[0],
@@ -359,8 +363,8 @@ pub(super) fn entries() -> Vec<Entry> {
         None,
         "Version and graphics adapter",
     );
-    super::paper_entries::insert(&mut list);
-    super::folder_entries::insert(&mut list);
+    crate::app::command::paper_entries::insert(&mut list);
+    crate::app::command::folder_entries::insert(&mut list);
     list
 }
 

@@ -1,10 +1,12 @@
 //! The rows of the command list that are about the folder and sessions.
 
-use super::{Command, Entry, Place};
+use crate::app::command::Command;
+use crate::app::command::Entry;
+use crate::app::command::Place;
 use egui::{Key, KeyboardShortcut, Modifiers};
 
 /// Puts them behind the rows they belong to.
-pub(super) fn insert(list: &mut Vec<Entry>) {
+pub(crate) fn insert(list: &mut Vec<Entry>) {
     let keys = Some(KeyboardShortcut::new(Modifiers::COMMAND, Key::L));
     let rows = [
         (

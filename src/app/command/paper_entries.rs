@@ -1,10 +1,12 @@
 //! The rows of the command list that are about figures and the clipboard.
 
-use super::{Command, Entry, Place};
+use crate::app::command::Command;
+use crate::app::command::Entry;
+use crate::app::command::Place;
 use egui::{Key, KeyboardShortcut, Modifiers};
 
 /// Puts them where they belong.
-pub(super) fn insert(list: &mut Vec<Entry>) {
+pub(crate) fn insert(list: &mut Vec<Entry>) {
     const CTRL: Modifiers = Modifiers::COMMAND;
     const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
     let row = |menu, command, name: &str, keys: Option<(Modifiers, Key)>, help: &str| Entry {

@@ -1,8 +1,11 @@
 //! The lessons themselves.
 
-use super::{Lesson, LookAt, Set, Step};
-use crate::app::state::Show;
-use crate::app::tiles::Pane;
+use crate::app::lessons::Lesson;
+use crate::app::lessons::LookAt;
+use crate::app::lessons::Set;
+use crate::app::lessons::Step;
+use crate::app::state::views::ViewId;
+use crate::app::views::sphere::settings::Show;
 use crate::brdf::{Fresnel, ParamId};
 use crate::figure::RadialScale;
 
@@ -25,9 +28,9 @@ pub const LESSONS: [Lesson; 4] = [
                     Set::Sphere(Show::Model),
                     Set::Scale(RadialScale::Linear),
                     Set::Angles(&[30.0], 0),
-                    Set::Tile(Pane::Lobes),
+                    Set::Tile(ViewId::Lobes),
                 ],
-                look_at: LookAt::Tile(Pane::Lobes),
+                look_at: LookAt::Tile(ViewId::Lobes),
             },
             Step {
                 text: "Blinn-Phong takes the half vector ω_{h} between ω_{i} and ω_{o} and asks how far it is from the \
@@ -43,22 +46,22 @@ pub const LESSONS: [Lesson; 4] = [
                     Set::Model("phong"),
                     Set::Param(ParamId::S, 30.0),
                     Set::Lights(1),
-                    Set::Tile(Pane::Sphere),
+                    Set::Tile(ViewId::Sphere),
                 ],
-                look_at: LookAt::Tile(Pane::Sphere),
+                look_at: LookAt::Tile(ViewId::Sphere),
             },
             Step {
                 text: "Now the light grazes, from behind the sphere. Phong's highlight is a wide band along the rim; \
                        Blinn-Phong's is condensed. This difference is what tells measured materials apart.",
                 set: &[Set::Lights(2)],
-                look_at: LookAt::Tile(Pane::Sphere),
+                look_at: LookAt::Tile(ViewId::Sphere),
             },
             Step {
                 text: "The same in numbers: in the plane of incidence at 80° Phong keeps its shape and only turns, until \
                        the horizon cuts it off. Blinn-Phong grows towards the horizon. Try both models and drag the handle \
                        of the light.",
                 set: &[Set::Angles(&[30.0, 60.0, 80.0], 2), Set::Lights(0)],
-                look_at: LookAt::Tile(Pane::Lobes),
+                look_at: LookAt::Tile(ViewId::Lobes),
             },
         ],
     },
@@ -80,7 +83,7 @@ pub const LESSONS: [Lesson; 4] = [
                     Set::Sphere(Show::Model),
                     Set::Scale(RadialScale::Linear),
                     Set::Angles(&[5.0, 60.0, 80.0], 0),
-                    Set::Tile(Pane::Lobes),
+                    Set::Tile(ViewId::Lobes),
                 ],
                 look_at: LookAt::Model,
             },
@@ -89,7 +92,7 @@ pub const LESSONS: [Lesson; 4] = [
                        angle x, cos^{4}(x/2) and cos x are the same up to x^{4}. So α does not touch the highlight seen from \
                        above, and s keeps its meaning.",
                 set: &[Set::Param(ParamId::Alpha, 1.0)],
-                look_at: LookAt::Tile(Pane::Lobes),
+                look_at: LookAt::Tile(ViewId::Lobes),
             },
             Step {
                 text: "Drag α. What changes are the lobes at 60° and 80°: α says how a material behaves at grazing \
@@ -111,7 +114,7 @@ pub const LESSONS: [Lesson; 4] = [
                     Set::Scale(RadialScale::CubeRoot),
                     Set::Sphere(Show::Split),
                 ],
-                look_at: LookAt::Tile(Pane::Lobes),
+                look_at: LookAt::Tile(ViewId::Lobes),
             },
         ],
     },
@@ -131,9 +134,9 @@ pub const LESSONS: [Lesson; 4] = [
                     Set::Param(ParamId::Eta, 1.5),
                     Set::Scale(RadialScale::CubeRoot),
                     Set::Angles(&[30.0, 60.0, 80.0], 2),
-                    Set::Tile(Pane::Lobes),
+                    Set::Tile(ViewId::Lobes),
                 ],
-                look_at: LookAt::Tile(Pane::Lobes),
+                look_at: LookAt::Tile(ViewId::Lobes),
             },
             Step {
                 text: "The Fresnel equations give that factor for a smooth dielectric of refractive index η: R_{F} is \
@@ -152,7 +155,7 @@ pub const LESSONS: [Lesson; 4] = [
                 text: "Schlick's approximation is a fifth power with the same value at 0°. Switch between Exact and \
                        Schlick: between 60° and 85° they part, most of all for a small η.",
                 set: &[Set::Fresnel(Fresnel::Schlick)],
-                look_at: LookAt::Tile(Pane::Lobes),
+                look_at: LookAt::Tile(ViewId::Lobes),
             },
         ],
     },
@@ -177,7 +180,7 @@ pub const LESSONS: [Lesson; 4] = [
                     Set::Scale(RadialScale::CubeRoot),
                     Set::Angles(&[30.0, 60.0, 80.0], 1),
                 ],
-                look_at: LookAt::Tile(Pane::Lobes),
+                look_at: LookAt::Tile(ViewId::Lobes),
             },
             Step {
                 text: "Only stage 1 is ticked, and it begins at the sliders. Press Fit: for a given s, α and η the best \

@@ -1,10 +1,12 @@
 //! The windows over the window: all commands, conventions, about.
 
-use crate::app::command::{ENTRIES, Entry};
-use crate::app::paint::rich_text_job;
+use crate::app::command::ENTRIES;
+use crate::app::command::Entry;
+use crate::app::msg::Msg;
 use crate::app::panels::figure::figure_ui;
-use crate::app::state::{Dialog, State};
-use crate::app::update::Msg;
+use crate::app::state::State;
+use crate::app::state::notice::Dialog;
+use crate::app::widgets::paint::rich_text_job;
 use crate::figure::text::RichText;
 use egui::{Id, Key, Modal};
 

@@ -1,11 +1,16 @@
 //! The dialog that makes a figure for a paper: its views and looks at the left, the very sheet at the right.
 
-use crate::app::derived;
-use crate::app::paint::paint_picture;
-use crate::app::paper::{FigurePrefs, PaperMsg, PreviewWish, Sheet, can_draw, figure_of};
+use crate::app::msg::Msg;
+use crate::app::msg::cache::request;
+use crate::app::msg::figure::FigureMsg;
+use crate::app::paper::figure::figure_of;
+use crate::app::paper::work::PreviewQuery;
+use crate::app::paper::work::Sheet;
 use crate::app::state::State;
-use crate::app::tiles::{PANES, Pane};
-use crate::app::update::Msg;
+use crate::app::state::figure::FigurePrefs;
+use crate::app::state::views::VIEWS;
+use crate::app::state::views::ViewId;
+use crate::app::widgets::paint::pictures::paint_picture;
 use crate::export::{FORMATS, Format};
 use crate::figure::page::{COLUMNS, INKS, SAME_AXES};
 use crate::figure::write::POINTS_PER_MM;
@@ -65,10 +70,10 @@ fn controls_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     let button = egui::Button::new("Export…").min_size(vec2(110.0, 0.0));
     let hint = "The figure, and beside it a .figure.json that draws it again";
     if ui.add_enabled(can, button).on_hover_text(hint).clicked() {
-        out.push(Msg::Paper(PaperMsg::Export));
+        out.push(Msg::Figure(FigureMsg::Export));
     }
     if prefs != state.prefs.figure {
-        out.push(Msg::Paper(PaperMsg::Set(prefs)));
+        out.push(Msg::Figure(FigureMsg::Set(prefs)));
     }
 }
 
@@ -86,20 +91,20 @@ fn help(format: Format) -> &'static str {
 fn views_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     let chosen = &state.views.chosen;
     let mut changed = chosen.clone();
-    let drawable = PANES.iter().filter(|row| row.pane != Pane::Fits);
+    let drawable = VIEWS.iter().filter(|row| row.id != ViewId::Fits);
     egui::Grid::new("views")
         .num_columns(2)
         .spacing([12.0, 3.0])
         .show(ui, |ui| {
             for (k, row) in drawable.enumerate() {
-                let mut on = chosen.contains(&row.pane);
-                let can = can_draw(state, row.pane);
+                let mut on = chosen.contains(&row.id);
+                let can = state.can_draw(row.id);
                 let text = row.name;
                 let response = ui.add_enabled(can, egui::Checkbox::new(&mut on, text));
                 if response.on_hover_text(row.help[0]).changed() {
-                    changed.retain(|pane| *pane != row.pane);
+                    changed.retain(|pane| *pane != row.id);
                     if on {
-                        changed.push(row.pane);
+                        changed.push(row.id);
                     }
                 }
                 if k % 2 == 1 {
@@ -108,7 +113,7 @@ fn views_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
             }
         });
     if changed != *chosen {
-        out.push(Msg::Paper(PaperMsg::Choose(changed)));
+        out.push(Msg::Figure(FigureMsg::Choose(changed)));
     }
 }
 
@@ -208,13 +213,12 @@ fn preview_ui(ui: &mut egui::Ui, state: &State, room: egui::Vec2, out: &mut Vec<
     // A pixel of the preview is one of the screen where the page is as wide as the room.
     let across = f64::from(room.x * ui.ctx().pixels_per_point());
     let dpi = (across * 72.0 / (prefs.style.width_mm * POINTS_PER_MM)).clamp(40.0, 400.0);
-    let wish = PreviewWish {
+    let query = PreviewQuery {
         drawable,
         dpi: dpi.round(),
     };
-    let slot = &state.derived.preview;
-    derived::want(slot, &wish, out);
-    match slot.shown(&wish) {
+    request(&state.caches, &query, out);
+    match state.caches.shown(&query) {
         None => say("Drawing…"),
         Some((Err(error), _)) => say(error),
         Some((Ok(sheet), fresh)) => {

@@ -1,11 +1,13 @@
 //! The fit: what it is asked, and the button that starts and stops it.
 
-use super::{fit_result, fit_stages};
 use crate::app::command::Command;
-use crate::app::fitting::{FitMsg, Settings};
-use crate::app::paint::rich_text_job;
+use crate::app::msg::Msg;
+use crate::app::msg::fit::FitMsg;
+use crate::app::panels::fit_result;
+use crate::app::panels::fit_stages;
 use crate::app::state::State;
-use crate::app::update::Msg;
+use crate::app::state::fitting::settings::Settings;
+use crate::app::widgets::paint::rich_text_job;
 use crate::brdf::params::ALL;
 use crate::brdf::{Brdf, Param};
 use crate::figure::text::RichText;
@@ -200,7 +202,7 @@ fn bounds_ui(ui: &mut egui::Ui, row: &Param, bounds: &mut Option<(f64, f64)>) {
         let drag = egui::DragValue::new(value)
             .speed(speed)
             .range(from..=to)
-            .custom_formatter(|value, _| super::model::plain_number(value));
+            .custom_formatter(|value, _| crate::app::panels::model::plain_number(value));
         let response = ui.add(drag);
         response.widget_info(|| {
             egui::WidgetInfo::labeled(egui::Role::SpinButton, true, format!("{} {end}", row.key))

@@ -1,13 +1,20 @@
 //! What the fit under way says, or the kept one said: the result, what to know of it, the trace of E.
 
-use super::fit_details::{self, hundredths};
-use crate::app::fitting::{FitMsg, KeptFit, Part, Run, variant_name};
-use crate::app::paint::{self, rich_text_job};
+use crate::app::msg::Msg;
+use crate::app::msg::fit::FitMsg;
+use crate::app::panels::fit_details;
+use crate::app::panels::fit_details::hundredths;
 use crate::app::state::State;
-use crate::app::update::Msg;
+use crate::app::state::fitting::kept::KeptFit;
+use crate::app::state::fitting::kept::variant_name;
+use crate::app::state::fitting::run::Part;
+use crate::app::state::fitting::run::Run;
+use crate::app::widgets::paint;
+use crate::app::widgets::paint::rich_text_job;
 use crate::figure::palette::Palette;
 use crate::figure::text::RichText;
-use crate::figure::trace::{self, TracePoint, TraceSpec};
+use crate::figure::trace;
+use crate::figure::trace::{TracePoint, TraceSpec};
 use crate::fit::{Progress, Variant};
 use egui::{Align, Layout, Sense, vec2};
 
@@ -23,7 +30,7 @@ pub fn shown_part(state: &State) -> Option<(&Run, &Part)> {
 /// The result in words, and the trace in what room is left.
 pub fn result_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     ui.add_space(2.0);
-    let (heard, empty): (&[Progress], &str) = match (shown_part(state), state.current_fit()) {
+    let (updates, empty): (&[Progress], &str) = match (shown_part(state), state.current_fit()) {
         (Some((run, part)), _) => {
             running_ui(ui, run, part);
             let empty = if run.stopping {
@@ -31,7 +38,7 @@ pub fn result_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
             } else {
                 "Arranging the data"
             };
-            (&part.heard, empty)
+            (&part.updates, empty)
         }
         (None, Some(kept)) => {
             kept_ui(ui, state, kept, out);
@@ -43,7 +50,7 @@ pub fn result_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
         }
     };
     ui.add_space(4.0);
-    trace_ui(ui, heard, state.scene.selected, empty);
+    trace_ui(ui, updates, state.scene.selected, empty);
 }
 
 fn running_ui(ui: &mut egui::Ui, run: &Run, part: &Part) {
@@ -116,12 +123,12 @@ fn lower_first(text: &str) -> String {
     })
 }
 
-fn trace_ui(ui: &mut egui::Ui, heard: &[Progress], series: usize, empty: &str) {
+fn trace_ui(ui: &mut egui::Ui, updates: &[Progress], series: usize, empty: &str) {
     let height = (ui.available_height() - 4.0).clamp(TRACE, 2.5 * TRACE);
     let size = vec2(ui.available_width(), height);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "Trace of E"));
-    let points: Vec<TracePoint> = heard
+    let points: Vec<TracePoint> = updates
         .iter()
         .map(|word| TracePoint {
             stage: word.stage.number(),

@@ -1,11 +1,14 @@
 //! A row per stage of the fit: its tick, what it moves, and what it came to.
 
-use super::fit_details::{self, hundredths};
-use super::fit_result::shown_part;
-use crate::app::fitting::{Settings, stage_words};
-use crate::app::formula::number;
-use crate::app::paint::{self, rich_text_job};
+use crate::app::panels::fit_details;
+use crate::app::panels::fit_details::hundredths;
+use crate::app::panels::fit_result::shown_part;
 use crate::app::state::State;
+use crate::app::state::fitting::run::stage_ends;
+use crate::app::state::fitting::settings::Settings;
+use crate::app::widgets::formula::number;
+use crate::app::widgets::paint;
+use crate::app::widgets::paint::rich_text_job;
 use crate::brdf::Brdf;
 use crate::brdf::params::ALL;
 use crate::figure::text::RichText;
@@ -26,7 +29,7 @@ struct StageRow {
 
 fn stage_row(state: &State, stage: Stage) -> Option<StageRow> {
     if let Some((run, part)) = shown_part(state) {
-        let (first, last) = stage_words(&part.heard, stage)?;
+        let (first, last) = stage_ends(&part.updates, stage)?;
         let newest = part.best().is_some_and(|best| best.stage == stage);
         return Some(StageRow {
             start: first.error,
@@ -66,7 +69,7 @@ pub fn stages_ui(ui: &mut egui::Ui, state: &State, settings: &mut Settings) {
                 ui.set_width(width);
                 let markup = format!("{}  {}", stage.number(), stage.symbols());
                 let name = format!("stage {}", stage.number());
-                super::fit::tick_ui(ui, on, &markup, &name);
+                crate::app::panels::fit::tick_ui(ui, on, &markup, &name);
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                     stage_numbers_ui(ui, width, row.as_ref());
                 });

@@ -1,9 +1,11 @@
 //! The card of a lesson: its text, and the way back and on.
 
-use crate::app::lessons::{LESSONS, LessonAt};
-use crate::app::paint::{rich_text_job, role_color};
+use crate::app::lessons::rows::LESSONS;
+use crate::app::msg::Msg;
 use crate::app::state::State;
-use crate::app::update::Msg;
+use crate::app::state::lesson::LessonAt;
+use crate::app::widgets::paint::rich_text_job;
+use crate::app::widgets::paint::role_color;
 use crate::figure::palette::Role;
 use crate::figure::text::RichText;
 use egui::{Align2, Id, Rect, Stroke, StrokeKind, vec2};

@@ -13,3 +13,4 @@ pub mod model;
 pub mod notices;
 pub mod session;
 pub mod status;
+pub mod tiles;

@@ -1,14 +1,16 @@
 //! The model: its formula with live numbers and a slider per parameter row.
 
-use super::lesson;
-use crate::app::command::{Command, ENTRIES};
-use crate::app::formula;
+use crate::app::command::Command;
+use crate::app::command::ENTRIES;
 use crate::app::lessons::LookAt;
-use crate::app::paint::rich_text_job;
-use crate::app::state::{Scene, State};
-use crate::app::update::Msg;
-use crate::brdf::params::{self, Scale};
-use crate::brdf::{Brdf, Param};
+use crate::app::msg::Msg;
+use crate::app::panels::lesson;
+use crate::app::state::Scene;
+use crate::app::state::State;
+use crate::app::widgets::formula;
+use crate::app::widgets::paint::rich_text_job;
+use crate::brdf::params::Scale;
+use crate::brdf::{Brdf, Param, params};
 use crate::figure::text::RichText;
 use crate::geom::color::srgb_bytes;
 use egui::{Align, Color32, Layout, Slider, SliderClamping};
@@ -105,7 +107,7 @@ fn params_ui(ui: &mut egui::Ui, state: &State, brdf: &Brdf, colors: bool, out: &
 fn optimal_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     let command = Command::ToggleKeepOptimal;
     let mut on = state.fit.keep_optimal;
-    let tick = super::fit::tick_ui(
+    let tick = crate::app::panels::fit::tick_ui(
         ui,
         &mut on,
         "keep ρ_{d}, k_{s} optimal",
@@ -246,7 +248,7 @@ fn slider_ui(ui: &mut egui::Ui, row: &Param, value: &mut f64) -> egui::Response 
 }
 
 /// Three significant digits, four where they are free; short enough for [`NUMBER_BOX`].
-pub(super) fn plain_number(value: f64) -> String {
+pub(crate) fn plain_number(value: f64) -> String {
     if value == 0.0 {
         return "0".into();
     }

@@ -1,7 +1,8 @@
 //! Notices in the corner of the window. Errors stay until they are closed.
 
-use crate::app::state::{Level, State};
-use crate::app::update::Msg;
+use crate::app::msg::Msg;
+use crate::app::state::State;
+use crate::app::state::notice::Level;
 use egui::{Align2, Area, Frame, Id, Order, RichText};
 
 const WIDTH: f32 = 420.0;

@@ -1,9 +1,10 @@
 //! What sessions ask: where a material is, and whether to restore what was open.
 
-use crate::app::session::autosave::Crashed;
-use crate::app::session::{Missing, SessionMsg};
+use crate::app::msg::Msg;
+use crate::app::msg::session::SessionMsg;
 use crate::app::state::State;
-use crate::app::update::Msg;
+use crate::app::state::session::Crashed;
+use crate::app::state::session::Missing;
 use egui::{Align2, Id, Window};
 use std::time::Duration;
 

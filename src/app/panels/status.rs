@@ -1,10 +1,11 @@
 //! The line at the bottom: the probe's angles and values, and the jobs under way.
 
 use crate::app::command::Command;
-use crate::app::paint::rich_text_job;
-use crate::app::probe::{Probe, ratio};
+use crate::app::msg::Msg;
 use crate::app::state::State;
-use crate::app::update::Msg;
+use crate::app::state::probe::Probe;
+use crate::app::state::probe::ratio;
+use crate::app::widgets::paint::rich_text_job;
 use crate::figure::text::RichText;
 use crate::geom::{HalfDiff, Rgb, directions};
 
@@ -122,5 +123,5 @@ fn probe_ui(ui: &mut egui::Ui, state: &State, probe: Probe) {
 }
 
 fn rgb(value: Rgb) -> String {
-    value.map(crate::app::formula::number).join(" ")
+    value.map(crate::app::widgets::formula::number).join(" ")
 }

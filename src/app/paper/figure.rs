@@ -1,10 +1,17 @@
 //! What the window shows as a figure: the same views of the same subjects.
 
-use crate::app::state::{Material, Opened, Origin, Show, State};
-use crate::app::subjects::{Subjects, What};
-use crate::app::tiles::{Pane, combined_fits};
-use crate::app::views::landscape::{path, place};
-use crate::app::views::slices::through;
+use crate::app::state::State;
+use crate::app::state::material::Material;
+use crate::app::state::material::Opened;
+use crate::app::state::material::Origin;
+use crate::app::state::subject_key::What;
+use crate::app::state::subjects::Subjects;
+use crate::app::state::views::ViewId;
+use crate::app::views::landscape::settings::path;
+use crate::app::views::landscape::settings::place;
+use crate::app::views::scatter::combined_fits;
+use crate::app::views::slices::settings::through;
+use crate::app::views::sphere::settings::Show;
 use crate::brdf::Fresnel;
 use crate::export::{FigureSpec, SubjectLook, SubjectSource, SubjectSpec};
 use crate::figure::lobes::LobeSpec;
@@ -33,28 +40,17 @@ impl PartialEq for Drawable {
     }
 }
 
-/// Whether a tile shows something that a figure can show.
-pub fn can_draw(state: &State, pane: Pane) -> bool {
-    let Some((material, _)) = state.current() else {
-        return false;
-    };
-    let has_data = material.table.valid_count() > 0;
-    match pane {
-        Pane::Fits => false,
-        Pane::ErrorMap | Pane::Landscape => has_data,
-        Pane::Scatter => !combined_fits(state).is_empty(),
-        Pane::Sphere | Pane::Lobes | Pane::Slices | Pane::Albedo | Pane::Lobe3d | Pane::Image => {
-            true
-        }
-    }
-}
-
 /// The figure of some tiles, `columns` beside each other; `None` where nothing can be drawn.
-pub fn figure_of(state: &State, panes: &[Pane], columns: usize, style: &Style) -> Option<Drawable> {
+pub fn figure_of(
+    state: &State,
+    panes: &[ViewId],
+    columns: usize,
+    style: &Style,
+) -> Option<Drawable> {
     let mut maker = Maker::new(state)?;
     let panels: Vec<PanelSpec> = panes
         .iter()
-        .filter(|pane| can_draw(state, **pane))
+        .filter(|pane| state.can_draw(**pane))
         .flat_map(|pane| maker.panels(*pane))
         .collect();
     if panels.is_empty() {
@@ -131,7 +127,7 @@ impl<'a> Maker<'a> {
         Some(maker)
     }
 
-    fn panels(&mut self, pane: Pane) -> Vec<PanelSpec> {
+    fn panels(&mut self, pane: ViewId) -> Vec<PanelSpec> {
         let scene = &self.state.scene;
         let shown = self.shown.clone();
         let of = |view: ViewSpec, subjects: &[usize]| PanelSpec {
@@ -140,7 +136,7 @@ impl<'a> Maker<'a> {
             view,
         };
         match pane {
-            Pane::Sphere => {
+            ViewId::Sphere => {
                 let sphere = |show| {
                     let spec = SphereSpec {
                         view: scene.sphere.view.clone(),
@@ -158,7 +154,7 @@ impl<'a> Maker<'a> {
                 };
                 shows.into_iter().map(sphere).collect()
             }
-            Pane::Lobes => {
+            ViewId::Lobes => {
                 let tile = &scene.lobes;
                 let spec = LobeSpec {
                     theta_i: tile.theta_i.clone(),
@@ -170,17 +166,17 @@ impl<'a> Maker<'a> {
                 };
                 vec![of(ViewSpec::Lobes(spec), &self.plotted)]
             }
-            Pane::Slices => {
+            ViewId::Slices => {
                 let view = &scene.slices;
                 let probe = self.state.probe().filter(|_| view.follow);
                 let spec = probe.map_or_else(|| view.spec.clone(), |p| through(&view.spec, p));
                 vec![of(ViewSpec::Slices(spec), &self.plotted)]
             }
-            Pane::Albedo => {
+            ViewId::Albedo => {
                 let spec = scene.albedo.spec.clone();
                 vec![of(ViewSpec::Albedo(spec), &self.plotted)]
             }
-            Pane::Lobe3d => {
+            ViewId::Lobe3d => {
                 let view = &scene.lobe3d;
                 let spec = Lobe3dSpec {
                     theta_i: self.state.probe().map_or(view.theta_i, |p| p.theta_i()),
@@ -188,11 +184,11 @@ impl<'a> Maker<'a> {
                 };
                 vec![of(ViewSpec::Lobe3d(spec), &self.plotted)]
             }
-            Pane::Image => {
+            ViewId::Image => {
                 let spec = scene.image.spec(None);
                 vec![of(ViewSpec::ImageSlice(spec), &shown)]
             }
-            Pane::ErrorMap => {
+            ViewId::ErrorMap => {
                 let (view, settings) = (&scene.error_map, &self.state.fit.settings);
                 let spec = ErrorMapSpec {
                     plane: view.plane,
@@ -203,9 +199,9 @@ impl<'a> Maker<'a> {
                 };
                 vec![of(ViewSpec::ErrorMap(spec), &shown)]
             }
-            Pane::Landscape => vec![of(ViewSpec::Landscape(self.landscape()), &shown)],
-            Pane::Scatter => vec![of(ViewSpec::Scatter, &self.dots())],
-            Pane::Fits => Vec::new(),
+            ViewId::Landscape => vec![of(ViewSpec::Landscape(self.landscape()), &shown)],
+            ViewId::Scatter => vec![of(ViewSpec::Scatter, &self.dots())],
+            ViewId::Fits => Vec::new(),
         }
     }
 
@@ -258,8 +254,8 @@ fn source_of(state: &State, material: &Material) -> Option<SubjectSource> {
     }
 }
 
-/// What a figure of some tiles is called: material, plot, angles, model, scale.
-pub fn default_name(state: &State, panes: &[Pane]) -> String {
+/// Default name of a figure of some tiles: material, plot, angles, model, scale.
+pub fn default_name(state: &State, panes: &[ViewId]) -> String {
     let Some((material, opened)) = state.current() else {
         return "figure".into();
     };
@@ -272,13 +268,13 @@ pub fn default_name(state: &State, panes: &[Pane]) -> String {
     let model = opened.brdf.model.key.to_string();
     match panes {
         [pane] => {
-            words.push(pane.row().key.into());
+            words.push(pane.about().key.into());
             match pane {
-                Pane::Lobes => {
+                ViewId::Lobes => {
                     words.push(angles(&scene.lobes.theta_i));
                     words.extend([model, scene.lobes.scale.key().into()]);
                 }
-                Pane::Slices => {
+                ViewId::Slices => {
                     let spec = &scene.slices.spec;
                     words.push(match spec.over {
                         crate::figure::slices::Over::ThetaO => angles(&spec.theta_i),
@@ -286,17 +282,17 @@ pub fn default_name(state: &State, panes: &[Pane]) -> String {
                     });
                     words.extend([model, spec.scale.key().into()]);
                 }
-                Pane::Lobe3d => {
+                ViewId::Lobe3d => {
                     words.push(angles(&[scene.lobe3d.theta_i]));
                     words.extend([model, scene.lobe3d.scale.key().into()]);
                 }
-                Pane::Image => {
+                ViewId::Image => {
                     let view = &scene.image;
                     words.push(format!("phd{:.0}", view.phi_d.to_degrees()));
                     words.push(view.shown.key().into());
                     words.extend([model, view.scale.key().into()]);
                 }
-                Pane::Scatter => words = vec!["materials_scatter".into()],
+                ViewId::Scatter => words = vec!["materials_scatter".into()],
                 _ => words.push(model),
             }
         }

@@ -1,13 +1,18 @@
-//! Drawing figures on threads of their own: for the preview, for files and for the clipboard.
+//! Drawing figures in the background: for the preview, for files and for the clipboard.
 
-use super::PaperTask;
-use super::figure::Drawable;
-use crate::app::derived::{Derived, Slot, Step, Wish};
-use crate::app::jobs::Outbox;
-use crate::app::state::Level;
-use crate::app::tasks::{Picker, SavePicker, ask_and_do, in_thread};
-use crate::app::update::Msg;
-use crate::app::views::background::in_background;
+use crate::app::jobs::Jobs;
+use crate::app::jobs::dialogs::SavePicker;
+use crate::app::jobs::dialogs::ask_and_do;
+use crate::app::msg::Msg;
+use crate::app::msg::work::Work;
+use crate::app::paper::figure::Drawable;
+use crate::app::paper::figure::default_name;
+use crate::app::state::State;
+use crate::app::state::cache::Query;
+use crate::app::state::cache::Update;
+use crate::app::state::cache::WhenNewer;
+use crate::app::state::notice::Level;
+use crate::app::state::views::ViewId;
 use crate::export::{
     ExportError, FigureSpec, Format, Prepared, SubjectSource, prepare, spec_beside, write_figure,
 };
@@ -24,7 +29,7 @@ const PREVIEW_DPI: f64 = 110.0;
 
 /// The preview of a figure on the screen.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PreviewWish {
+pub struct PreviewQuery {
     /// The figure.
     pub drawable: Drawable,
     /// Pixels to the inch of the paper.
@@ -42,23 +47,20 @@ pub struct Sheet {
     pub numbers: usize,
 }
 
-impl Wish for PreviewWish {
-    type Made = Result<Sheet, String>;
-    const ENDS_FIRST: bool = true;
+impl Query for PreviewQuery {
+    type Output = Result<Sheet, String>;
+    const DOING: &'static str = "drawing the preview of a figure";
+    const WHEN_NEWER: WhenNewer = WhenNewer::FinishFirst;
 
-    fn slot(derived: &mut Derived) -> &mut Slot<Self> {
-        &mut derived.preview
-    }
-
-    fn make(
+    fn run(
         &self,
-        follow: &mut dyn FnMut(Step<Self::Made>) -> ControlFlow<()>,
-    ) -> Option<Self::Made> {
+        report: &mut dyn FnMut(Update<Self::Output>) -> ControlFlow<()>,
+    ) -> Option<Self::Output> {
         let mut drawable = self.drawable.clone();
         let style = &mut drawable.spec.style;
         style.dpi = style.dpi.min(PREVIEW_DPI);
-        let mut go_on = || follow(Step::Progress(0.5));
-        match in_background_drawn(&drawable, &mut go_on) {
+        let mut go_on = || report(Update::Progress(0.5));
+        match draw(&drawable, &mut go_on) {
             Err(ExportError::Stopped) => None,
             Err(error) => Some(Err(error.to_string())),
             Ok(page) => Some(self.sheet(&page)),
@@ -66,7 +68,7 @@ impl Wish for PreviewWish {
     }
 }
 
-impl PreviewWish {
+impl PreviewQuery {
     fn sheet(&self, page: &Page) -> Result<Sheet, String> {
         let mm = |points: f32| f64::from(points) / POINTS_PER_MM;
         Ok(Sheet {
@@ -77,12 +79,12 @@ impl PreviewWish {
     }
 }
 
-fn in_background_drawn(
+fn draw(
     drawable: &Drawable,
     go_on: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Result<Page, ExportError> {
     let prepared = prepared(drawable, go_on)?;
-    in_background(|| drawable.spec.draw(&prepared))
+    drawable.spec.draw(&prepared)
 }
 
 fn prepared(
@@ -101,29 +103,18 @@ fn prepared(
 }
 
 fn drawn(drawable: &Drawable) -> Result<Page, ExportError> {
-    in_background_drawn(drawable, &mut || ControlFlow::Continue(()))
-}
-
-/// Starts a task. None waits here.
-pub fn start(task: PaperTask, ctx: &egui::Context, outbox: &Outbox, picker: &Picker) {
-    match task {
-        PaperTask::Export(drawable, format, name) => {
-            export(drawable, format, name, outbox, &picker.save);
-        }
-        PaperTask::CopyPicture(drawable, view) => copy_picture(drawable, view, ctx, outbox),
-        PaperTask::CopyNumbers(drawable, view) => copy_numbers(drawable, view, ctx, outbox),
-    }
+    draw(drawable, &mut || ControlFlow::Continue(()))
 }
 
 /// Asks where to, and writes a figure and its spec there.
-fn export(
+pub fn export(
     drawable: Drawable,
     format: Format,
     name: String,
-    outbox: &Outbox,
+    jobs: &Jobs,
     save: &Arc<SavePicker>,
 ) {
-    ask_and_do(outbox, save, name, move |path| {
+    ask_and_do(jobs, save, name, move |path| {
         // The name may say another format than the dialog.
         let format = Format::of_path(&path).unwrap_or(format);
         let path = match path.extension() {
@@ -139,7 +130,7 @@ fn export(
         // The dialog has asked about an existing file.
         let write = |prepared: Prepared| {
             let figure = (&drawable.spec, &prepared);
-            in_background(|| write_figure(&path, format, figure, true, None))
+            write_figure(&path, format, figure, true, None)
         };
         prepared(&drawable, go_on)
             .and_then(write)
@@ -148,10 +139,15 @@ fn export(
     });
 }
 
+/// The name that a dialog proposes for a figure of these views.
+pub fn file_name(state: &State, views: &[ViewId], format: Format) -> String {
+    format!("{}.{}", default_name(state, views), format.extension())
+}
+
 /// Puts the picture of a figure on the clipboard.
-fn copy_picture(drawable: Drawable, view: &'static str, ctx: &egui::Context, outbox: &Outbox) {
-    let ctx = ctx.clone();
-    on_clipboard(drawable, view, "picture", outbox, move |drawable, page| {
+pub fn copy_picture(drawable: Drawable, view: &'static str, jobs: &Jobs) {
+    let ctx = jobs.sender().ctx().clone();
+    on_clipboard(drawable, view, "picture", jobs, move |drawable, page| {
         let found = pixels(&page.paper, drawable.spec.style.dpi);
         let found = found.map_err(|error| error.to_string())?;
         let size = [found.width as usize, found.height as usize];
@@ -161,9 +157,9 @@ fn copy_picture(drawable: Drawable, view: &'static str, ctx: &egui::Context, out
 }
 
 /// Puts the numbers of a figure on the clipboard, with tabs between them.
-fn copy_numbers(drawable: Drawable, view: &'static str, ctx: &egui::Context, outbox: &Outbox) {
-    let ctx = ctx.clone();
-    on_clipboard(drawable, view, "numbers", outbox, move |_, page| {
+pub fn copy_numbers(drawable: Drawable, view: &'static str, jobs: &Jobs) {
+    let ctx = jobs.sender().ctx().clone();
+    on_clipboard(drawable, view, "numbers", jobs, move |_, page| {
         if page.table.rows.is_empty() {
             return Err("this view has no numbers to copy; copy its picture".into());
         }
@@ -176,15 +172,15 @@ fn on_clipboard(
     drawable: Drawable,
     view: &'static str,
     what: &'static str,
-    outbox: &Outbox,
+    jobs: &Jobs,
     put: impl FnOnce(&Drawable, &Page) -> Result<(), String> + Send + 'static,
 ) {
-    let told = outbox.clone();
-    in_thread(outbox, "copy", move || {
+    let doing = format!("copying the {what} of {view}");
+    jobs.start(Work::new(doing, move |send| {
         let page = drawn(&drawable).map_err(|error| error.to_string());
-        told.send(match page.and_then(|page| put(&drawable, &page)) {
+        send(match page.and_then(|page| put(&drawable, &page)) {
             Ok(()) => Msg::Notify(Level::Info, format!("Copied the {what} of {view}")),
             Err(reason) => Msg::Notify(Level::Error, format!("{view}: {reason}")),
         });
-    });
+    }));
 }

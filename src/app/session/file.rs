@@ -1,13 +1,20 @@
 //! A session as plain data, as its file has it. The README documents the keys.
 
-use crate::app::fitting::SortBy;
-use crate::app::state::{LobeTile, SphereTile};
-use crate::app::tiles::Tiles;
-use crate::app::views::{
-    AlbedoView, ErrorMapView, ImageView, LandscapeView, Lobe3dView, ScatterView, SlicesView,
-};
-use crate::brdf::{self, Brdf, params};
-use crate::files::fits::{self, FitRecord};
+use crate::app::state::fitting::kept::SortBy;
+use crate::app::state::layout::Tiles;
+use crate::app::views::albedo::settings::AlbedoView;
+use crate::app::views::error_map::settings::ErrorMapView;
+use crate::app::views::image::settings::ImageView;
+use crate::app::views::landscape::settings::LandscapeView;
+use crate::app::views::lobes::settings::LobeTile;
+use crate::app::views::scatter::settings::ScatterView;
+use crate::app::views::slices::settings::SlicesView;
+use crate::app::views::sphere::settings::SphereTile;
+use crate::brdf;
+use crate::brdf::{Brdf, params};
+use crate::figure::page::Lobe3dSpec as Lobe3dView;
+use crate::files::fits;
+use crate::files::fits::FitRecord;
 use crate::files::session::SavedSource;
 use crate::fit::Weight;
 use crate::fit::options::NO_LIMIT;

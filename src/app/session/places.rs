@@ -1,7 +1,7 @@
 //! Which files of a session are there. Looks at the disk, so it is part of the job that reads the session.
 
-use super::SessionFile;
-use super::read::read;
+use crate::app::session::file::SessionFile;
+use crate::app::session::read::read;
 use crate::files::{FileError, absolute};
 use std::path::{Path, PathBuf};
 

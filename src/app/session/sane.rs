@@ -1,9 +1,14 @@
 //! The one place where what a file says is brought to what there can be: every number in its range, every position
 //! inside its list, unit vectors of length 1. What is possible stays to the last bit.
 
-use super::file::{SavedFitting, SavedMaterial, SavedProbe, SavedWhat, SessionFile, Views};
-use crate::brdf::params::{self, Param};
-use crate::brdf::{Fresnel, Model};
+use crate::app::session::file::SavedFitting;
+use crate::app::session::file::SavedMaterial;
+use crate::app::session::file::SavedProbe;
+use crate::app::session::file::SavedWhat;
+use crate::app::session::file::SessionFile;
+use crate::app::session::file::Views;
+use crate::brdf::params::Param;
+use crate::brdf::{Fresnel, Model, params};
 use crate::figure::lobes::MAX_THETA_I;
 use crate::fit::options::default_bounds;
 use crate::fit::{STAGES, Stage};
@@ -24,6 +29,7 @@ const LEAST_LIMIT: f64 = 20.0 * PI / 180.0;
 /// Values in 1/sr on an axis are below this.
 const HIGHEST: f64 = 1e12;
 
+/// The session with every value that cannot be replaced by the nearest that can.
 pub fn session(mut session: SessionFile) -> SessionFile {
     for (index, one) in session.materials.iter_mut().enumerate() {
         material(one, index);

@@ -1,11 +1,24 @@
-use super::{Found, SessionFile, SessionMsg, find};
-use crate::app::fitting::{KeptFit, SortBy};
-use crate::app::library::Presence;
-use crate::app::probe::Probe;
-use crate::app::state::{Material, MaterialId, Opened, Origin, Show, State};
-use crate::app::subjects::{SubjectKey, What};
-use crate::app::tiles::Pane;
-use crate::app::update::{Msg, apply};
+mod broken;
+
+use crate::app::msg::Msg;
+use crate::app::msg::session::SessionMsg;
+use crate::app::reduce::apply;
+use crate::app::session::file::SessionFile;
+use crate::app::session::places::Found;
+use crate::app::session::places::find;
+use crate::app::state::State;
+use crate::app::state::fitting::kept::KeptFit;
+use crate::app::state::fitting::kept::SortBy;
+use crate::app::state::material::Material;
+use crate::app::state::material::MaterialId;
+use crate::app::state::material::Opened;
+use crate::app::state::material::Origin;
+use crate::app::state::material::Presence;
+use crate::app::state::probe::Probe;
+use crate::app::state::subject_key::SubjectKey;
+use crate::app::state::subject_key::What;
+use crate::app::state::views::ViewId;
+use crate::app::views::sphere::settings::Show;
 use crate::brdf::{Brdf, Fresnel, MODELS, Params};
 use crate::figure::Channel;
 use crate::figure::error_map::Plane;
@@ -21,8 +34,6 @@ use crate::measured::lookup::Lookup;
 use glam::{DQuat, DVec3};
 use serde_json::{Value, json};
 use std::path::Path;
-
-mod broken;
 
 const PATH: &str = "/data/study.grazing.json";
 
@@ -54,7 +65,7 @@ fn kept(brdf: Brdf, error: f64) -> KeptFit {
     let mut options = Options::default();
     options.held.s = Some(brdf.params.s);
     options.bounds[0] = Some((0.0, 0.5));
-    let mut setup = crate::app::fitting::Settings::default().setup(&brdf);
+    let mut setup = crate::app::state::fitting::settings::Settings::default().setup(&brdf);
     setup.options = options;
     setup.limit = 77f64.to_radians();
     let albedo = [[0.5; 3], [0.6; 3], [1.1, 0.2, 0.3]];
@@ -87,7 +98,7 @@ fn add(state: &mut State, name: &str, origin: Origin, source: Option<SourceFile>
         origin,
         source,
         table: Table::unmeasured(),
-        presence: Presence::Here,
+        presence: Presence::Loaded,
         last_shown: 0,
         guess: Brdf {
             params: Params::default(),
@@ -185,7 +196,7 @@ fn rich() -> State {
     state.fit.keep_optimal = true;
     state.fit.sort = SortBy::Grazing;
     state.pinned = Some(Probe::in_plane(0.7, -0.2));
-    state.tiles.toggle(Pane::Scatter);
+    state.tiles.toggle(ViewId::Scatter);
     state
 }
 
@@ -245,7 +256,7 @@ const CHANGES: [fn(&mut State); 26] = [
     |s| s.fit.settings.limit = NO_LIMIT,
     |s| s.fit.sort = SortBy::Name,
     |s| s.pinned = None,
-    |s| s.tiles.toggle(Pane::Lobes),
+    |s| s.tiles.toggle(ViewId::Lobes),
     |s| s.materials.values_mut().next().expect("one").fits[0].overlaid = false,
     |s| {
         s.materials.values_mut().next().expect("one").fits[1]

@@ -1,13 +1,24 @@
 //! From the state to the data of a session.
 
-use super::file::{
-    Grey, SavedBrdf, SavedFit, SavedFitting, SavedKey, SavedMaterial, SavedProbe, SavedWhat,
-    SessionFile, VERSION, Views,
-};
-use crate::app::fitting::FitState;
-use crate::app::library::Presence;
-use crate::app::state::{MaterialId, Opened, Origin, State};
-use crate::app::subjects::{SubjectKey, What};
+use crate::app::session::file::Grey;
+use crate::app::session::file::SavedBrdf;
+use crate::app::session::file::SavedFit;
+use crate::app::session::file::SavedFitting;
+use crate::app::session::file::SavedKey;
+use crate::app::session::file::SavedMaterial;
+use crate::app::session::file::SavedProbe;
+use crate::app::session::file::SavedWhat;
+use crate::app::session::file::SessionFile;
+use crate::app::session::file::VERSION;
+use crate::app::session::file::Views;
+use crate::app::state::State;
+use crate::app::state::fitting::FitState;
+use crate::app::state::material::MaterialId;
+use crate::app::state::material::Opened;
+use crate::app::state::material::Origin;
+use crate::app::state::material::Presence;
+use crate::app::state::subject_key::SubjectKey;
+use crate::app::state::subject_key::What;
 use crate::brdf::params::ALL;
 use crate::files::session::SavedSource;
 use crate::fit::STAGES;
@@ -77,7 +88,7 @@ fn material(state: &State, opened: &Opened) -> Option<SavedMaterial> {
     };
     // One that was not found is named as the session before named it: it may come back in either place.
     let missing = state.session.missing_one(opened.id);
-    let missing = missing.filter(|_| material.presence == Presence::Lost);
+    let missing = missing.filter(|_| material.presence == Presence::Missing);
     let source = match missing {
         Some(missing) => Some(missing.source.clone()),
         None => material.source.as_ref().map(SavedSource::from),

@@ -1,10 +1,15 @@
 //! The files of the folder, a row each. Only rows in sight are drawn.
 
-use crate::app::formula::number;
-use crate::app::library::{Examined, Folder, FolderFile, Kind, LibraryMsg, Target};
+use crate::app::msg::Msg;
+use crate::app::msg::library::LibraryMsg;
 use crate::app::panels::fit_details::percent;
 use crate::app::state::State;
-use crate::app::update::Msg;
+use crate::app::state::library::Examined;
+use crate::app::state::library::Folder;
+use crate::app::state::library::FolderFile;
+use crate::app::state::library::Kind;
+use crate::app::state::library::Target;
+use crate::app::widgets::formula::number;
 use crate::brdf::ParamId;
 use crate::figure::text::{RichText, elided};
 use crate::files::fits::FitRecord;
@@ -70,15 +75,15 @@ fn file_ui(ui: &mut egui::Ui, state: &State, file: &FolderFile, id: egui::Id, ou
     let can_open = !matches!(file.kind, Kind::Other(_));
     let position = state.position_of_file(&file.path);
     let shown = position == Some(state.scene.selected) && position.is_some();
-    let wished = matches!(
-        &state.library.wish,
-        Some(wish) if matches!(&wish.target, Target::File { path, .. } if *path == file.path)
+    let is_pending = matches!(
+        &state.library.pending,
+        Some(pending) if matches!(&pending.target, Target::File { path, .. } if *path == file.path)
     );
     response.widget_info(|| {
         egui::WidgetInfo::selected(egui::Role::Button, can_open, shown, &file.name)
     });
     let visuals = ui.visuals().clone();
-    if shown || wished {
+    if shown || is_pending {
         let strength = if shown { 0.55 } else { 0.3 };
         let fill = visuals.selection.bg_fill.gamma_multiply(strength);
         ui.painter().rect_filled(rect, 3.0, fill);
@@ -87,7 +92,7 @@ fn file_ui(ui: &mut egui::Ui, state: &State, file: &FolderFile, id: egui::Id, ou
         ui.painter().rect_filled(rect, 3.0, fill);
     }
     let best = state.library.best_fit(&file.path);
-    let [first, second] = if wished {
+    let [first, second] = if is_pending {
         ["Loading…".into(), String::new()]
     } else {
         lines(&file.kind, best)
@@ -226,7 +231,7 @@ fn hover_ui(ui: &mut egui::Ui, file: &FolderFile, best: Option<&FitRecord>) {
     }
     if let Some(fit) = best {
         let variant = crate::fit::Variant::from(&fit.brdf);
-        let name = crate::app::fitting::variant_name(variant);
+        let name = crate::app::state::fitting::kept::variant_name(variant);
         ui.weak(format!("Best fit: {name}, {}", fit_text(fit)));
     }
     if file.is_measured() {

@@ -1,10 +1,14 @@
 //! The open folder: its name, what can be done with it, search, order, and keys.
 
-use super::files;
 use crate::app::command::Command;
-use crate::app::library::{Folder, LibraryMsg, SORT_KEYS, Scan, Sort};
+use crate::app::msg::Msg;
+use crate::app::msg::library::LibraryMsg;
+use crate::app::panels::library::files;
 use crate::app::state::State;
-use crate::app::update::Msg;
+use crate::app::state::library::Folder;
+use crate::app::state::library::Scan;
+use crate::app::state::library::listing::SORT_KEYS;
+use crate::app::state::library::listing::Sort;
 use crate::files::folder::shown_name;
 use egui::{Key, Modifiers};
 

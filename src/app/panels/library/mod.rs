@@ -5,8 +5,9 @@ mod folder;
 mod opened;
 
 use crate::app::command::Command;
-use crate::app::state::{Origin, State};
-use crate::app::update::Msg;
+use crate::app::msg::Msg;
+use crate::app::state::State;
+use crate::app::state::material::Origin;
 use crate::files::folder::shown_name;
 use crate::measured::samples::SAMPLES;
 

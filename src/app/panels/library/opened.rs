@@ -1,10 +1,13 @@
 //! The open materials, a row each.
 
-use crate::app::library::{LibraryMsg, Presence, Target};
-use crate::app::paint;
-use crate::app::session::SessionMsg;
-use crate::app::state::{Origin, State};
-use crate::app::update::Msg;
+use crate::app::msg::Msg;
+use crate::app::msg::library::LibraryMsg;
+use crate::app::msg::session::SessionMsg;
+use crate::app::state::State;
+use crate::app::state::library::Target;
+use crate::app::state::material::Origin;
+use crate::app::state::material::Presence;
+use crate::app::widgets::paint;
 use crate::measured::samples::SAMPLES;
 
 /// Draws the rows.
@@ -26,9 +29,9 @@ fn material_ui(ui: &mut egui::Ui, state: &State, index: usize, out: &mut Vec<Msg
         .library
         .preview
         .is_some_and(|preview| preview.id == opened.id);
-    let wished = matches!(
-        &state.library.wish,
-        Some(wish) if wish.target == Target::Material(opened.id)
+    let is_pending = matches!(
+        &state.library.pending,
+        Some(pending) if pending.target == Target::Material(opened.id)
     );
     ui.horizontal(|ui| {
         let (dot, _) = ui.allocate_exact_size(egui::vec2(10.0, 18.0), egui::Sense::hover());
@@ -51,7 +54,7 @@ fn material_ui(ui: &mut egui::Ui, state: &State, index: usize, out: &mut Vec<Msg
                 out.push(Msg::Close(index));
             }
             beside_ui(ui, state, index, &material.name, out);
-            if material.presence == Presence::Lost && material.source.is_some() {
+            if material.presence == Presence::Missing && material.source.is_some() {
                 let locate = ui.add(egui::Button::new("…").small());
                 locate.widget_info(|| {
                     let label = format!("Locate {}", material.name);
@@ -62,7 +65,7 @@ fn material_ui(ui: &mut egui::Ui, state: &State, index: usize, out: &mut Vec<Msg
                 }
             }
             ui.with_layout(egui::Layout::top_down_justified(egui::Align::Min), |ui| {
-                let mut name = egui::RichText::new(if wished {
+                let mut name = egui::RichText::new(if is_pending {
                     format!("{} – loading…", material.name)
                 } else {
                     material.name.clone()
@@ -103,9 +106,9 @@ fn material_ui(ui: &mut egui::Ui, state: &State, index: usize, out: &mut Vec<Msg
 }
 
 /// What was measured, or where the data are.
-fn about(material: &crate::app::state::Material) -> String {
+fn about(material: &crate::app::state::material::Material) -> String {
     match material.presence {
-        Presence::Here => {
+        Presence::Loaded => {
             let grid = material.table.grid();
             let valid = 100.0 * material.table.valid_count() as f64 / grid.len() as f64;
             let bins = grid.phi_d_bins();
@@ -114,9 +117,9 @@ fn about(material: &crate::app::state::Material) -> String {
                 grid.len()
             )
         }
-        Presence::Away => "Its data are loaded again when it is shown.".into(),
+        Presence::Evicted => "Its data are loaded again when it is shown.".into(),
         Presence::Loading(_) => "Loading…".into(),
-        Presence::Lost => {
+        Presence::Missing => {
             "Its data could not be loaded: the file is not there or cannot be read.".into()
         }
     }

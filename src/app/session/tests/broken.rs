@@ -1,8 +1,16 @@
-use super::{PATH, found, opened, rich, text};
-use crate::app::session::{Found, SessionMsg, find, read};
-use crate::app::state::Level;
-use crate::app::tiles::Pane;
-use crate::app::update::{Msg, apply};
+use crate::app::msg::Msg;
+use crate::app::msg::session::SessionMsg;
+use crate::app::reduce::apply;
+use crate::app::session::places::Found;
+use crate::app::session::places::find;
+use crate::app::session::read::read;
+use crate::app::session::tests::PATH;
+use crate::app::session::tests::found;
+use crate::app::session::tests::opened;
+use crate::app::session::tests::rich;
+use crate::app::session::tests::text;
+use crate::app::state::notice::Level;
+use crate::app::state::views::ViewId;
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -161,7 +169,7 @@ fn hand_written_sessions_may_leave_almost_all_out() {
     assert_eq!(names, ["a", "material 2"]);
     assert_eq!(state.scene.opened[1].brdf.params.s, 7.0);
     assert_eq!(state.scene.lobes, crate::app::state::Scene::default().lobes);
-    assert!(!state.tiles.is_open(Pane::Scatter), "the layout is left");
+    assert!(!state.tiles.is_open(ViewId::Scatter), "the layout is left");
 }
 
 #[test]

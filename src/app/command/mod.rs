@@ -1,0 +1,179 @@
+//! The commands: one list behind menus, shortcuts, tooltips and the palette.
+
+pub mod entries;
+pub mod folder_entries;
+pub mod paper_entries;
+
+use crate::app::state::State;
+use crate::app::state::prefs::Theme;
+use crate::app::state::views::ViewId;
+use crate::app::views::sphere::settings::Show;
+use crate::brdf::fresnel::Fresnel;
+use crate::figure::scale::RadialScale;
+use crate::files::ModelFormat;
+use crate::fit::Weight;
+use crate::geom::sphere::LIGHT_PRESETS;
+use crate::measured::lookup::Lookup;
+use egui::KeyboardShortcut;
+use std::sync::LazyLock;
+
+/// Something a person can ask for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(missing_docs, reason = "the rows below say what each one does")]
+pub enum Command {
+    Open,
+    OpenPath,
+    OpenFolder,
+    CloseFolder,
+    FitFolder,
+    FitFolderAll,
+    CancelFitFolder,
+    SaveFits,
+    OpenSample(usize),
+    OpenRecent(usize),
+    ClearRecent,
+    Close,
+    ExportModel(ModelFormat),
+    ExportFigure,
+    SaveSession,
+    SaveSessionAs,
+    SavePicture,
+    Quit,
+    Undo,
+    Redo,
+    Copy,
+    CopyPicture,
+    CopyNumbers,
+    CopyProbe,
+    Unpin,
+    CopyParams,
+    GuessParams,
+    ResetParams,
+    UseModel(usize),
+    UseFresnel(Fresnel),
+    Fit,
+    FitAll,
+    CancelFit,
+    ToggleKeepOptimal,
+    ToggleFromSliders,
+    UseWeight(Weight),
+    NextMaterial,
+    PreviousMaterial,
+    UseShow(Show),
+    UseLights(usize),
+    UseScale(RadialScale),
+    ToggleCosine,
+    ToggleRaw,
+    UseTheme(Theme),
+    ToggleTile(ViewId),
+    ResetLayout,
+    Palette,
+    Lesson(usize),
+    Conventions,
+    About,
+}
+
+/// Where a command stands in the menu bar. A second word is a submenu.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The menu.
+    pub menu: &'static str,
+    /// The submenu, empty for none.
+    pub submenu: &'static str,
+}
+
+/// The menus from left to right.
+pub const MENUS: [&str; 6] = ["File", "Edit", "Model", "Fit", "View", "Help"];
+
+/// A row of the list.
+#[derive(Debug)]
+pub struct Entry {
+    /// What it does.
+    pub command: Command,
+    /// Where it stands.
+    pub place: Place,
+    /// Its words.
+    pub name: String,
+    /// Its keys.
+    pub keys: Option<KeyboardShortcut>,
+    /// One sentence.
+    pub help: String,
+}
+
+/// All commands in menu order.
+pub static ENTRIES: LazyLock<Vec<Entry>> = LazyLock::new(entries::entries);
+
+impl Command {
+    /// The row of this command; `None` for those that depend on the state (recent files).
+    pub fn entry(self) -> Option<&'static Entry> {
+        ENTRIES.iter().find(|entry| entry.command == self)
+    }
+
+    /// The name with the keys, for tooltips.
+    pub fn hint(self, ctx: &egui::Context) -> String {
+        let Some(entry) = self.entry() else {
+            return String::new();
+        };
+        match &entry.keys {
+            Some(keys) => format!("{} ({})", entry.help, ctx.format_shortcut(keys)),
+            None => entry.help.clone(),
+        }
+    }
+
+    /// Whether it can be done now.
+    pub fn is_enabled(self, state: &State) -> bool {
+        match self {
+            Self::Undo => state.history.can_undo(),
+            Self::Redo => state.history.can_redo(),
+            Self::Close
+            | Self::CopyParams
+            | Self::ExportModel(_)
+            | Self::ExportFigure
+            | Self::GuessParams
+            | Self::ResetParams
+            | Self::UseModel(_)
+            | Self::UseFresnel(_) => state.current().is_some(),
+            Self::Copy => Self::CopyProbe.is_enabled(state) || Self::CopyPicture.is_enabled(state),
+            Self::CopyPicture | Self::CopyNumbers => state.meant_view().is_some(),
+            Self::CopyProbe => state.probe().is_some() && state.current().is_some(),
+            Self::Unpin => state.pinned.is_some() && state.dialog.is_none(),
+            Self::Fit | Self::FitAll => state.fit_blocked().is_none(),
+            Self::CancelFit => {
+                state.dialog.is_none() && state.fit.run.as_ref().is_some_and(|run| !run.stopping)
+            }
+            Self::NextMaterial | Self::PreviousMaterial => {
+                state.scene.opened.len() > 1 || state.library.folder.is_some()
+            }
+            Self::CloseFolder => state.library.folder.is_some(),
+            Self::FitFolder | Self::FitFolderAll => {
+                crate::app::state::folder_fit::blocked(state).is_none()
+            }
+            Self::CancelFitFolder => state.library.run.is_some(),
+            Self::SaveFits => state.library.folder_fits().next().is_some(),
+            _ => true,
+        }
+    }
+
+    /// Whether it is what is shown now, for commands that choose.
+    pub fn is_checked(self, state: &State) -> Option<bool> {
+        let scene = &state.scene;
+        let brdf = state.current().map(|(_, opened)| opened.brdf);
+        Some(match self {
+            Self::UseModel(index) => brdf.is_some_and(|brdf| brdf.model.index() == index),
+            Self::UseFresnel(fresnel) => brdf.is_some_and(|brdf| brdf.fresnel == fresnel),
+            Self::ToggleKeepOptimal => state.fit.keep_optimal,
+            Self::ToggleFromSliders => state.fit.settings.from_sliders,
+            Self::UseWeight(weight) => state.fit.settings.weight == weight,
+            Self::UseShow(show) => scene.sphere.show == show,
+            Self::UseLights(index) => LIGHT_PRESETS
+                .get(index)
+                .is_some_and(|preset| (preset.lights)() == scene.sphere.view.lights),
+            Self::UseScale(scale) => scene.lobes.scale == scale,
+            Self::ToggleCosine => scene.lobes.with_cosine,
+            Self::ToggleRaw => scene.lookup == Lookup::Nearest,
+            Self::ToggleTile(pane) => state.tiles.is_open(pane),
+            Self::UseTheme(theme) => state.prefs.theme == theme,
+            _ => return None,
+        })
+    }
+}

@@ -1,0 +1,50 @@
+//! Tasks of the library.
+
+use crate::app::jobs::Jobs;
+use crate::app::jobs::dialogs::NOT_OPENED;
+use crate::app::jobs::dialogs::Picker;
+use crate::app::jobs::dialogs::ask;
+use crate::app::jobs::dialogs::ask_and_write;
+use crate::app::jobs::folder_fit;
+use crate::app::jobs::scan::Scanner;
+use crate::app::msg::Msg;
+use crate::app::msg::library::LibraryMsg;
+use crate::app::msg::library::LibraryTask;
+use crate::files::fits::write_json;
+use std::sync::Arc;
+
+/// Starts a task. None waits here.
+pub fn start(task: LibraryTask, jobs: &Jobs, picker: &Picker) {
+    match task {
+        LibraryTask::Scan {
+            number,
+            path,
+            cancel,
+            hold,
+        } => Scanner {
+            number,
+            cancel,
+            hold,
+            jobs: jobs.clone(),
+        }
+        .start(path),
+        LibraryTask::Fit(fit) => folder_fit::start(*fit, jobs),
+        LibraryTask::Pick => {
+            let folder = Arc::clone(&picker.folder);
+            let open =
+                |path, send: &(dyn Fn(Msg) + Sync)| send(Msg::Library(LibraryMsg::Open(path)));
+            ask(
+                jobs,
+                "asking for a folder",
+                NOT_OPENED,
+                move || folder(),
+                open,
+            );
+        }
+        LibraryTask::Save(fits) => {
+            ask_and_write(jobs, &picker.save, "fits.json".into(), move |file| {
+                write_json(&fits, file)
+            });
+        }
+    }
+}

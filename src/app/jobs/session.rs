@@ -1,0 +1,112 @@
+//! Tasks of sessions.
+
+use crate::app::jobs::Jobs;
+use crate::app::jobs::dialogs::NOT_OPENED;
+use crate::app::jobs::dialogs::NOT_SAVED;
+use crate::app::jobs::dialogs::Picker;
+use crate::app::jobs::dialogs::ask;
+use crate::app::jobs::dialogs::saved_notice;
+use crate::app::msg::Msg;
+use crate::app::msg::session::SessionMsg;
+use crate::app::msg::session::SessionTask;
+use crate::app::msg::work::Work;
+use crate::app::session::file::SessionFile;
+use crate::files;
+use crate::files::FileError;
+use crate::files::session::ENDING;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Starts a task. None waits here.
+pub fn start(task: SessionTask, jobs: &Jobs, picker: &Picker) {
+    match task {
+        SessionTask::Save {
+            number,
+            session,
+            to: Some(path),
+            ..
+        } => {
+            let save =
+                move |send: &(dyn Fn(Msg) + Sync)| save(number, *session, &path, false, send);
+            jobs.start(Work::new("saving the session", save));
+        }
+        SessionTask::Save {
+            number,
+            session,
+            to: None,
+            name,
+        } => {
+            let dialog = Arc::clone(&picker.save);
+            let chosen = move |path: PathBuf, send: &(dyn Fn(Msg) + Sync)| {
+                save(number, *session, &path, true, send)
+            };
+            ask(
+                jobs,
+                "saving the session",
+                NOT_SAVED,
+                move || dialog(&name),
+                chosen,
+            );
+        }
+        SessionTask::Locate(wanted) => {
+            let open = Arc::clone(&picker.open);
+            let found = move |path: PathBuf, send: &(dyn Fn(Msg) + Sync)| {
+                send(Msg::Session(SessionMsg::Located(beside(&path, wanted))));
+            };
+            let first = move || open().into_iter().next();
+            ask(jobs, "asking for a file", NOT_OPENED, first, found);
+        }
+        SessionTask::Remove(crashed) => {
+            jobs.start(Work::new("removing what was left", move |_| {
+                crashed.remove();
+            }));
+        }
+    }
+}
+
+/// Writes a session and says so; `asked` where a dialog was asked for the path.
+fn save(number: u64, session: SessionFile, path: &Path, asked: bool, send: &(dyn Fn(Msg) + Sync)) {
+    let saved = write(session, path, asked);
+    if let Ok(path) = &saved {
+        let path = path.clone();
+        send(Msg::Session(SessionMsg::Saved { number, path }));
+    }
+    send(saved_notice(saved.map_err(|error| error.to_string())));
+}
+
+/// Writes a session; returns where. A name without an ending gets that of sessions.
+fn write(session: SessionFile, path: &Path, asked: bool) -> Result<PathBuf, FileError> {
+    let mut path = files::absolute(path);
+    // The dialog has asked about an existing file, if it is this one.
+    let mut force = true;
+    if asked && path.extension().is_none() {
+        path.as_mut_os_string().push(ENDING);
+        force = false;
+        if path.exists() {
+            let what = "the file exists already; choose it in the dialog to replace it";
+            return Err(FileError::new(&path, what));
+        }
+    }
+    let text = session.placed(&path).text();
+    files::write_atomically(&path, force, |file| {
+        file.write_all(text.map_err(io::Error::from)?.as_bytes())
+    })?;
+    Ok(path)
+}
+
+/// The first material is in the file that was chosen; the others where they lie beside it under their names.
+fn beside<T>(chosen: &Path, wanted: Vec<(T, String)>) -> Vec<(T, PathBuf)> {
+    let folder = chosen.parent().unwrap_or(Path::new(""));
+    let mut found = Vec::new();
+    for (index, (id, path)) in wanted.into_iter().enumerate() {
+        let name = path.rsplit(['/', '\\']).next().unwrap_or(&path);
+        let here = folder.join(name);
+        if index == 0 {
+            found.push((id, chosen.to_owned()));
+        } else if here.is_file() {
+            found.push((id, here));
+        }
+    }
+    found
+}

@@ -1,0 +1,83 @@
+//! Messages and tasks of fitting.
+
+use crate::app::state::fitting::kept::SortBy;
+use crate::app::state::fitting::run::FitUpdates;
+use crate::app::state::fitting::settings::Settings;
+use crate::app::state::fitting::settings::Setup;
+use crate::app::state::job::CancelFlag;
+use crate::app::state::material::MaterialId;
+use crate::brdf::Brdf;
+use crate::fit::{Outcome, ProblemError, Variant};
+use crate::measured::Table;
+use std::sync::Arc;
+
+/// Something happened to the fits.
+#[derive(Debug)]
+#[expect(missing_docs, reason = "the line over each message names its fields")]
+pub enum FitMsg {
+    /// Change what the next fit is asked.
+    Settings(Settings),
+    /// The fit under way reports.
+    Updates(FitUpdates),
+    /// A fit ended.
+    Done {
+        job: u64,
+        result: Result<Vec<Timed>, String>,
+    },
+    /// Lay the kept fit of this variant over the shown material.
+    Show(Variant),
+    /// Draw the kept fit of this variant beside the model, or no longer.
+    Overlay(Variant, bool),
+    /// Order the table.
+    SortBy(SortBy),
+    /// The best ρ_d and k_s for a model; only these two are taken from it.
+    AmplitudesRefit {
+        number: u64,
+        as_step: bool,
+        material: MaterialId,
+        result: Result<Brdf, ProblemError>,
+    },
+}
+
+/// An outcome and the seconds that it took.
+#[derive(Clone, Debug)]
+pub struct Timed {
+    /// What it brought.
+    pub outcome: Outcome,
+    /// How long it took, in seconds.
+    pub seconds: f64,
+}
+
+/// A fit to be started in the background.
+#[derive(Debug)]
+pub struct FitTask {
+    /// Its number.
+    pub job: u64,
+    /// Of which material.
+    pub material: MaterialId,
+    /// The data.
+    pub table: Arc<Table>,
+    /// What is fitted; one, or several.
+    pub variants: Vec<Variant>,
+    /// How.
+    pub setup: Setup,
+    /// Set to make it stop.
+    pub cancel: CancelFlag,
+}
+
+/// Asks for the best ρ_d and k_s of a model in the background.
+#[derive(Debug)]
+pub struct RefitAmplitudes {
+    /// Its number; newer ones win.
+    pub number: u64,
+    /// Of which material.
+    pub material: MaterialId,
+    /// The data.
+    pub table: Arc<Table>,
+    /// How.
+    pub setup: Setup,
+    /// For these s, α and η.
+    pub brdf: Brdf,
+    /// Whether the answer is a step of its own: no edit asked for it.
+    pub as_step: bool,
+}

@@ -1,0 +1,229 @@
+//! Messages: what happened; and tasks: what is to be done outside the state.
+
+use crate::app::state::layout::Tiles;
+
+pub mod cache;
+pub mod figure;
+pub mod fit;
+pub mod library;
+pub mod session;
+pub mod work;
+
+use crate::app::command::Command;
+use crate::app::msg::cache::CacheMsg;
+use crate::app::msg::figure::FigureMsg;
+use crate::app::msg::figure::FigureTask;
+use crate::app::msg::fit::FitMsg;
+use crate::app::msg::fit::FitTask;
+use crate::app::msg::fit::RefitAmplitudes;
+use crate::app::msg::library::LibraryMsg;
+use crate::app::msg::library::LibraryTask;
+use crate::app::msg::session::SessionMsg;
+use crate::app::msg::session::SessionTask;
+use crate::app::msg::work::Work;
+use crate::app::state::job::CancelFlag;
+use crate::app::state::material::Origin;
+use crate::app::state::notice::Level;
+use crate::app::state::probe::Probe;
+use crate::app::state::subject_key::SubjectKey;
+use crate::app::views::albedo::settings::AlbedoView;
+use crate::app::views::error_map::settings::ErrorMapView;
+use crate::app::views::image::settings::ImageView;
+use crate::app::views::landscape::settings::LandscapeView;
+use crate::app::views::lobes::settings::LobeTile;
+use crate::app::views::scatter::settings::ScatterView;
+use crate::app::views::slices::settings::SlicesView;
+use crate::app::views::sphere::settings::SphereTile;
+use crate::brdf::{Brdf, ParamId};
+use crate::figure::page::Lobe3dSpec as Lobe3dView;
+use crate::files::fits::MaterialFits;
+use crate::files::{ModelFormat, SourceFile};
+use crate::fit::start;
+use crate::measured::Table;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// Something happened.
+#[derive(Debug)]
+#[expect(missing_docs, reason = "the line over each message names its fields")]
+pub enum Msg {
+    /// A command was chosen in a menu, by its keys or in the palette.
+    Run(Command),
+    /// Open these files.
+    OpenFiles(Vec<PathBuf>),
+    /// A job went on.
+    Progress { job: u64, progress: f32 },
+    /// A job brought a material, or one line that says why not (`None`: it was cancelled).
+    Loaded {
+        job: u64,
+        origin: Origin,
+        result: Result<Loaded, Option<String>>,
+    },
+    /// A job read a file of models: what it has, by material.
+    FitsRead {
+        job: u64,
+        path: PathBuf,
+        fits: Vec<MaterialFits>,
+    },
+    /// Stop a job.
+    Cancel(u64),
+    /// Show another open material.
+    Select(usize),
+    /// Close an open material.
+    Close(usize),
+    /// Give a channel of a parameter a value; all channels where `channel` is `None`.
+    SetParam {
+        id: ParamId,
+        channel: Option<usize>,
+        value: f64,
+    },
+    /// Put a parameter back to its default.
+    ResetParam(ParamId),
+    /// Let the channels of a colour move as one, or apart.
+    SetGrey(ParamId, bool),
+    /// A view wishes for a result, or a job says something about one.
+    Cache(Box<dyn CacheMsg>),
+    /// Go to a step of a lesson.
+    Lesson { lesson: usize, step: usize },
+    /// The lesson is over.
+    EndLesson,
+    /// Something about fitting.
+    Fit(FitMsg),
+    /// Something about a figure.
+    Figure(FigureMsg),
+    /// Something about the folder and memory.
+    Library(LibraryMsg),
+    /// Something about sessions.
+    Session(SessionMsg),
+    /// Change the sphere tile.
+    SetSphere(SphereTile),
+    /// Change the lobe tile.
+    SetLobes(LobeTile),
+    /// Change the slices.
+    SetSlices(SlicesView),
+    /// Change the albedo plot.
+    SetAlbedo(AlbedoView),
+    /// Change the tile of lobes in space.
+    SetLobe3d(Lobe3dView),
+    /// Change the image slice.
+    SetImage(ImageView),
+    /// Change the error map.
+    SetErrorMap(ErrorMapView),
+    /// Change the error landscape.
+    SetLandscape(LandscapeView),
+    /// Change the scatter of the materials.
+    SetScatter(ScatterView),
+    /// The tiles were moved.
+    SetLayout(Tiles),
+    /// Lay this model over the shown material, with the best ρ_d and k_s once they are found.
+    TakeModel(Brdf),
+    /// The pointer shows a pair of directions, or none.
+    Hover(Option<Probe>),
+    /// Keep a pair of directions marked, or let it go.
+    Pin(Option<Probe>),
+    /// A name in a legend was clicked: show or hide it, or it alone.
+    Legend { key: SubjectKey, solo: bool },
+    /// Show an open material in the plots beside the shown one, or no longer.
+    SetBeside(usize, bool),
+    /// What is typed in the open dialog.
+    Typed(String),
+    /// Close the dialog.
+    CloseDialog,
+    /// Say something.
+    Notify(Level, String),
+    /// Close a notice.
+    Dismiss(u64),
+    /// No button and no key is held: the gesture is over.
+    Settle,
+}
+
+/// What a loading job brings.
+#[derive(Debug)]
+pub struct Loaded {
+    /// Name on screen.
+    pub name: String,
+    /// Which file it was.
+    pub source: Option<SourceFile>,
+    /// The data.
+    pub table: Arc<Table>,
+    /// The first guess of a model.
+    pub guess: Brdf,
+    /// The models that a fit file has for it.
+    pub fits: Option<Box<MaterialFits>>,
+}
+
+impl Loaded {
+    /// A table with its first guess; part of the job, as it walks the data.
+    pub fn new(name: String, source: Option<SourceFile>, table: Table) -> Self {
+        let guess = start::from_table(&table);
+        Self {
+            name,
+            source,
+            table: Arc::new(table),
+            guess,
+            fits: None,
+        }
+    }
+
+    /// A material that is a model and nothing else.
+    pub fn alone(fits: Box<MaterialFits>) -> Self {
+        Self {
+            name: fits.name.clone(),
+            source: None,
+            table: Table::unmeasured(),
+            guess: fits.best,
+            fits: Some(fits),
+        }
+    }
+
+    /// The model to begin with.
+    pub(crate) fn brdf(&self) -> Brdf {
+        self.fits.as_ref().map_or(self.guess, |fits| fits.best)
+    }
+}
+
+/// Something to be done outside the state.
+#[derive(Debug)]
+#[expect(missing_docs, reason = "the line over each task names its fields")]
+pub enum Task {
+    /// Load a material in the background.
+    Load {
+        job: u64,
+        origin: Origin,
+        fits: Option<Box<MaterialFits>>,
+        cancel: CancelFlag,
+    },
+    /// Fit in the background.
+    Fit(FitTask),
+    /// Find the best ρ_d and k_s in the background.
+    RefitAmplitudes(RefitAmplitudes),
+    /// Look at a folder, fit it, or ask for one.
+    Library(LibraryTask),
+    /// Write or copy a figure.
+    Figure(FigureTask),
+    /// Write a session, or ask where something is.
+    Session(SessionTask),
+    /// Make what a view wishes for.
+    Start(Work),
+    /// Ask for files to open.
+    PickFiles,
+    /// Ask where to, and write a model.
+    ExportModel(ModelExport),
+    /// Ask where to, and write a picture of the window.
+    SavePicture,
+    /// Put this on the clipboard.
+    Copy(String),
+    /// Close the window.
+    Quit,
+}
+
+/// A model to be written for other programs.
+#[derive(Debug)]
+pub struct ModelExport {
+    /// As what.
+    pub format: ModelFormat,
+    /// Name of the material it was laid over.
+    pub material: String,
+    /// The model with its numbers.
+    pub brdf: Brdf,
+}

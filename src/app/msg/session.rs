@@ -1,0 +1,48 @@
+//! Messages and tasks of sessions.
+
+use crate::app::session::file::SessionFile;
+use crate::app::session::places::Found;
+use crate::app::state::material::MaterialId;
+use crate::app::state::session::Crashed;
+use std::path::PathBuf;
+
+/// Something happened to sessions.
+#[derive(Debug)]
+#[expect(missing_docs, reason = "the line over each message names its fields")]
+pub enum SessionMsg {
+    /// A job has read a session file.
+    Read {
+        job: u64,
+        path: PathBuf,
+        found: Box<Found>,
+    },
+    /// A session was written; which one, by its number.
+    Saved { number: u64, path: PathBuf },
+    /// Ask where this material is.
+    Locate(MaterialId),
+    /// Files of materials were found.
+    Located(Vec<(MaterialId, PathBuf)>),
+    /// Go on without one, or without all, that is asked for.
+    Skip { all: bool },
+    /// Open what the last run has left.
+    Restore,
+    /// Throw away what the last run has left.
+    Discard,
+}
+
+/// Something to be done outside the state.
+#[derive(Debug)]
+#[expect(missing_docs, reason = "the line over each task names its fields")]
+pub enum SessionTask {
+    /// Write a session to its file, or ask where to.
+    Save {
+        number: u64,
+        session: Box<SessionFile>,
+        to: Option<PathBuf>,
+        name: String,
+    },
+    /// Ask for the file of the first of these; the others may lie beside it.
+    Locate(Vec<(MaterialId, String)>),
+    /// Remove what a run has left.
+    Remove(Crashed),
+}

@@ -1,0 +1,192 @@
+//! What each command does to the state.
+
+use crate::app::command::Command;
+use crate::app::msg::ModelExport;
+use crate::app::msg::Msg;
+use crate::app::msg::Task;
+use crate::app::msg::figure::FigureTask;
+use crate::app::msg::fit::FitMsg;
+use crate::app::msg::library::LibraryMsg;
+use crate::app::msg::library::LibraryTask;
+use crate::app::reduce::apply;
+use crate::app::reduce::edit;
+use crate::app::reduce::edit_brdf;
+use crate::app::reduce::figure;
+use crate::app::reduce::fit;
+use crate::app::reduce::folder_fit;
+use crate::app::reduce::lesson;
+use crate::app::reduce::opening::load;
+use crate::app::reduce::session;
+use crate::app::reduce::show;
+use crate::app::state::State;
+use crate::app::state::fitting::settings::Settings;
+use crate::app::state::layout::Tiles;
+use crate::app::state::material::Origin;
+use crate::app::state::notice::Dialog;
+use crate::brdf::{Brdf, Fresnel, MODELS, Model};
+use crate::geom::sphere::LIGHT_PRESETS;
+use crate::measured::lookup::Lookup;
+use crate::measured::samples::SAMPLES;
+
+/// Runs a command.
+pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
+    match command {
+        Command::Open => return vec![Task::PickFiles],
+        Command::OpenSample(index) if index < SAMPLES.len() => {
+            return vec![load(state, Origin::Sample(index))];
+        }
+        Command::OpenSample(_) => {}
+        Command::OpenRecent(index) => {
+            let path = state.prefs.recent.get(index).cloned();
+            return path
+                .map(|path| load(state, Origin::File(path)))
+                .into_iter()
+                .collect();
+        }
+        Command::Close => {
+            let selected = state.scene.selected;
+            return apply(state, Msg::Close(selected));
+        }
+        Command::ExportModel(format) => {
+            let export = state.current().map(|(material, opened)| ModelExport {
+                format,
+                material: material.name.clone(),
+                brdf: opened.brdf,
+            });
+            return export.map(Task::ExportModel).into_iter().collect();
+        }
+        Command::SaveSession => return session::save(state, false),
+        Command::SaveSessionAs => return session::save(state, true),
+        Command::SavePicture => return vec![Task::SavePicture],
+        Command::Quit => return vec![Task::Quit],
+        Command::Undo => {
+            // A fit under way is the step that is taken back.
+            fit::release_model(state);
+            fit::forget_refits(state);
+            let State { history, scene, .. } = state;
+            history.undo(scene);
+        }
+        Command::Redo => {
+            fit::release_model(state);
+            fit::forget_refits(state);
+            let State { history, scene, .. } = state;
+            history.redo(scene);
+        }
+        Command::GuessParams => {
+            if let Some(guess) = state.current().map(|(material, _)| material.guess) {
+                edit_brdf(state, |brdf| *brdf = guess.with_model(brdf.model));
+                return fit::refit(state);
+            }
+        }
+        Command::ResetParams => {
+            edit_brdf(state, |brdf| {
+                for row in brdf.model.params {
+                    brdf.params.get_mut(row.id).fill(row.default);
+                }
+            });
+            return fit::refit(state);
+        }
+        Command::UseModel(index) => {
+            let model: &'static Model = MODELS[index.min(MODELS.len() - 1)];
+            edit_brdf(state, |brdf| *brdf = brdf.with_model(model));
+            return fit::refit(state);
+        }
+        Command::UseFresnel(fresnel) => {
+            edit_brdf(state, |brdf| change_fresnel(brdf, fresnel));
+            return fit::refit(state);
+        }
+        Command::Fit => return fit::start(state, false),
+        Command::FitAll => return fit::start(state, true),
+        Command::CancelFit => fit::stop(state),
+        Command::ToggleKeepOptimal => {
+            state.fit.keep_optimal = !state.fit.keep_optimal;
+            fit::forget_refits(state);
+            return fit::refit_as_step(state);
+        }
+        Command::ToggleFromSliders => {
+            state.fit.settings.from_sliders = !state.fit.settings.from_sliders;
+        }
+        Command::UseWeight(weight) => {
+            let settings = Settings {
+                weight,
+                ..state.fit.settings.clone()
+            };
+            return fit::apply(state, FitMsg::Settings(settings));
+        }
+        Command::NextMaterial => return show::step(state, 1),
+        Command::PreviousMaterial => return show::step(state, -1),
+        Command::OpenFolder => return vec![Task::Library(LibraryTask::Pick)],
+        Command::CloseFolder => return apply(state, Msg::Library(LibraryMsg::Close)),
+        Command::FitFolder => return folder_fit::start(state, false),
+        Command::FitFolderAll => return folder_fit::start(state, true),
+        Command::CancelFitFolder => state.library.run = None,
+        Command::SaveFits => {
+            let fits = state.library.folder_fits().cloned().collect();
+            return vec![Task::Library(LibraryTask::Save(fits))];
+        }
+        Command::UseShow(show) => edit(state, |scene| scene.sphere.show = show),
+        Command::UseLights(index) => edit(state, |scene| {
+            if let Some(preset) = LIGHT_PRESETS.get(index) {
+                scene.sphere.view.lights = (preset.lights)();
+            }
+        }),
+        Command::UseScale(scale) => edit(state, |scene| scene.lobes.scale = scale),
+        Command::ToggleCosine => edit(state, |scene| {
+            scene.lobes.with_cosine = !scene.lobes.with_cosine;
+        }),
+        Command::ToggleRaw => edit(state, |scene| {
+            scene.lookup = if scene.lookup == Lookup::Nearest {
+                Lookup::Smooth
+            } else {
+                Lookup::Nearest
+            };
+        }),
+        Command::UseTheme(theme) => state.prefs.theme = theme,
+        Command::ResetLayout => state.tiles = Tiles::default(),
+        Command::ToggleTile(pane) => state.tiles.toggle(pane),
+        Command::Unpin => state.pinned = None,
+        Command::ExportFigure => figure::open(state),
+        Command::Copy => {
+            let values = state.pinned.is_some() || state.views.pointed.is_none();
+            let command = if values && Command::CopyProbe.is_enabled(state) {
+                Command::CopyProbe
+            } else {
+                Command::CopyPicture
+            };
+            return run(state, command);
+        }
+        Command::CopyPicture => return figure::copy(state, FigureTask::CopyPicture),
+        Command::CopyNumbers => return figure::copy(state, FigureTask::CopyNumbers),
+        Command::CopyProbe => return state.probe_row().map(Task::Copy).into_iter().collect(),
+        Command::CopyParams => {
+            if let Some((_, opened)) = state.current() {
+                return vec![Task::Copy(
+                    crate::brdf::json::to_value(&opened.brdf).to_string(),
+                )];
+            }
+        }
+        Command::ClearRecent => state.prefs.recent.clear(),
+        Command::Palette => {
+            state.typed.clear();
+            state.dialog = Some(Dialog::Palette);
+        }
+        Command::OpenPath => {
+            state.typed.clear();
+            state.dialog = Some(Dialog::OpenPath);
+        }
+        Command::Lesson(lesson) => return lesson::go(state, lesson, 0),
+        Command::Conventions => state.dialog = Some(Dialog::Conventions),
+        Command::About => state.dialog = Some(Dialog::About),
+    }
+    Vec::new()
+}
+
+/// k_s·R_F(0) stays, so that the highlight seen from above does.
+fn change_fresnel(brdf: &mut Brdf, fresnel: Fresnel) {
+    let before = brdf.specular_at_normal();
+    let r0 = fresnel.reflectance(1.0, brdf.params.eta);
+    brdf.fresnel = fresnel;
+    if r0 > 0.0 {
+        brdf.params.k_s = before.map(|amplitude| amplitude / r0);
+    }
+}

@@ -1,0 +1,299 @@
+//! How the state changes when a fit starts, speaks, stops and ends.
+
+use crate::app::msg::Task;
+use crate::app::msg::fit::FitMsg;
+use crate::app::msg::fit::FitTask;
+use crate::app::msg::fit::RefitAmplitudes;
+use crate::app::msg::fit::Timed;
+use crate::app::reduce::edit;
+use crate::app::reduce::edit_brdf;
+use crate::app::reduce::notify;
+use crate::app::state::State;
+use crate::app::state::fitting::kept::KeptFit;
+use crate::app::state::fitting::run::Part;
+use crate::app::state::fitting::run::Run;
+use crate::app::state::job::CancelFlag;
+use crate::app::state::material::MaterialId;
+use crate::app::state::material::Opened;
+use crate::app::state::notice::Level;
+use crate::app::state::views::ViewId;
+use crate::brdf::{Brdf, Fresnel};
+use crate::fit::{ProblemError, Variant};
+
+/// Changes the state.
+pub(crate) fn apply(state: &mut State, msg: FitMsg) -> Vec<Task> {
+    match msg {
+        FitMsg::Settings(settings) => {
+            let other_problem = settings.weight != state.fit.settings.weight
+                || settings.limit != state.fit.settings.limit;
+            state.fit.settings = settings;
+            if other_problem {
+                return refit_as_step(state);
+            }
+        }
+        FitMsg::Updates(updates) => {
+            if let Some(run) = state.fit.run.as_mut().filter(|run| run.job == updates.job) {
+                run.take_in(updates);
+            }
+        }
+        FitMsg::Done { job, result } => {
+            let Some(run) = state.fit.run.take_if(|run| run.job == job) else {
+                return Vec::new();
+            };
+            match result {
+                Ok(outcomes) => end(state, run, outcomes),
+                Err(reason) => notify(state, Level::Error, reason),
+            }
+        }
+        FitMsg::Show(variant) => {
+            let kept = state.current().and_then(|(material, opened)| {
+                Some((opened.id, material.fit(variant)?.outcome.brdf))
+            });
+            if let Some((id, brdf)) = kept {
+                release_model(state);
+                set_model(state, id, brdf);
+            }
+        }
+        FitMsg::Overlay(variant, on) => {
+            let id = state.current().map(|(_, opened)| opened.id);
+            let material = id.and_then(|id| state.materials.get_mut(&id));
+            if let Some(kept) = material.and_then(|material| material.fit_mut(variant)) {
+                kept.overlaid = on;
+            }
+        }
+        FitMsg::SortBy(sort) => state.fit.sort = sort,
+        FitMsg::AmplitudesRefit {
+            number,
+            material,
+            as_step,
+            result,
+        } if number >= state.fit.refit_from && state.fit.keep_optimal
+            || number == state.fit.refit_taken && is_still(state, material, &result) =>
+        {
+            match result {
+                Ok(best) => take_amplitudes(state, material, &best, as_step),
+                Err(reason) => {
+                    state.fit.keep_optimal = false;
+                    notify(state, Level::Error, reason.to_string());
+                }
+            }
+        }
+        FitMsg::AmplitudesRefit { .. } => {}
+    }
+    Vec::new()
+}
+
+/// Starts to fit the shown model, or all six variants; what runs is stopped.
+pub(crate) fn start(state: &mut State, all: bool) -> Vec<Task> {
+    if state.fit_blocked().is_some() {
+        return Vec::new();
+    }
+    stop(state);
+    state.fit.refit_from = state.fresh_id();
+    let job = state.fresh_id();
+    let Some((material, opened)) = state.current() else {
+        return Vec::new();
+    };
+    let variants = if all {
+        Variant::all(match opened.brdf.fresnel {
+            Fresnel::None => Fresnel::Exact,
+            fresnel => fresnel,
+        })
+    } else {
+        vec![Variant::from(&opened.brdf)]
+    };
+    let part = |variant: &Variant| Part {
+        variant: *variant,
+        updates: Vec::new(),
+    };
+    let run = Run {
+        job,
+        material: opened.id,
+        parts: variants.iter().map(part).collect(),
+        at: 0,
+        setup: state.fit.settings.setup(&opened.brdf),
+        cancel: CancelFlag::default(),
+        stopping: false,
+        live: None,
+        left: None,
+    };
+    let tasks = vec![Task::Fit(FitTask {
+        job,
+        material: opened.id,
+        table: material.table.clone(),
+        variants,
+        setup: run.setup,
+        cancel: run.cancel.clone(),
+    })];
+    if all {
+        state.tiles.show(ViewId::Fits);
+    }
+    state.fit.run = Some(run);
+    tasks
+}
+
+/// Stops the run. The best so far is the model from now on, though the thread may need a moment to end.
+pub(crate) fn stop(state: &mut State) {
+    let Some(run) = state.fit.run.as_mut().filter(|run| !run.stopping) else {
+        return;
+    };
+    run.cancel.set();
+    run.stopping = true;
+    run.left = run.live.take();
+    if let Some(best) = run.left {
+        set_model(state, best.id, best.brdf);
+    }
+}
+
+/// Stops the run if it moves the shown model: a person takes over.
+pub(crate) fn release_model(state: &mut State) {
+    if state.current_run().is_some_and(Run::drives_model) {
+        stop(state);
+    }
+}
+
+/// Stops the run if it moves the model of this material, shown or not: another model is laid over it.
+pub(crate) fn release_model_of(state: &mut State, material: MaterialId) {
+    let drives = |run: &Run| run.material == material && run.drives_model();
+    if state.fit.run.as_ref().is_some_and(drives) {
+        stop(state);
+    }
+}
+
+/// Stops the run of a material that is closed, and forgets it.
+pub(crate) fn forget(state: &mut State, material: MaterialId) {
+    if let Some(run) = state.fit.run.take_if(|run| run.material == material) {
+        run.cancel.set();
+    }
+}
+
+/// Asks for the best ρ_d and k_s of the shown model, if they are to follow the other parameters. The answer belongs to
+/// the edit before this.
+pub(crate) fn refit(state: &mut State) -> Vec<Task> {
+    ask_for_amplitudes(state, false)
+}
+
+/// The same where there was no edit.
+pub(crate) fn refit_as_step(state: &mut State) -> Vec<Task> {
+    ask_for_amplitudes(state, true)
+}
+
+fn ask_for_amplitudes(state: &mut State, as_step: bool) -> Vec<Task> {
+    // A fit under way finds them itself.
+    if !state.fit.keep_optimal || state.current_run().is_some_and(Run::drives_model) {
+        return Vec::new();
+    }
+    refit_now(state, as_step)
+}
+
+fn refit_now(state: &mut State, as_step: bool) -> Vec<Task> {
+    let number = state.fresh_id();
+    let Some((material, opened)) = state
+        .current()
+        .filter(|(material, _)| !material.is_loading())
+    else {
+        return Vec::new();
+    };
+    vec![Task::RefitAmplitudes(RefitAmplitudes {
+        number,
+        material: opened.id,
+        table: material.table.clone(),
+        setup: state.fit.settings.setup(&opened.brdf),
+        brdf: opened.brdf,
+        as_step,
+    })]
+}
+
+/// Lays a model over the shown material, and asks once for its best ρ_d and k_s, whether they follow the sliders or
+/// not. The answer belongs to that edit.
+pub(crate) fn take(state: &mut State, taken: Brdf) -> Vec<Task> {
+    edit_brdf(state, |brdf| *brdf = taken);
+    let tasks = refit_now(state, false);
+    if let Some(Task::RefitAmplitudes(resolve)) = tasks.first() {
+        state.fit.refit_taken = resolve.number;
+    }
+    tasks
+}
+
+/// Answers that are on their way no longer count.
+pub(crate) fn forget_refits(state: &mut State) {
+    state.fit.refit_from = state.fresh_id();
+    state.fit.refit_taken = 0;
+}
+
+fn end(state: &mut State, run: Run, outcomes: Vec<Timed>) {
+    let drives = run.drives_model();
+    let Run {
+        material,
+        parts,
+        setup,
+        stopping,
+        left,
+        ..
+    } = run;
+    // Stopped before it said anything: what it brings is only where it began.
+    let said_something = |part: &Part| !stopping || !part.updates.is_empty();
+    for (timed, part) in outcomes.into_iter().zip(parts) {
+        let brdf = timed.outcome.brdf;
+        if drives {
+            set_model(state, material, brdf);
+        } else if let Some(left) = left {
+            // The outcome may be a little past the last word that was heard.
+            let scene = &mut state.scene;
+            let untouched = |opened: &&mut _| **opened == left;
+            if let Some(opened) = scene.opened.iter_mut().find(untouched) {
+                opened.brdf = brdf;
+            }
+        }
+        if said_something(&part) {
+            let fit = KeptFit {
+                outcome: timed.outcome,
+                setup,
+                seconds: Some(timed.seconds),
+                trace: part.updates,
+                overlaid: false,
+            };
+            state.keep_fit(material, fit);
+        }
+    }
+}
+
+/// Gives a material a model, as one step.
+fn set_model(state: &mut State, material: MaterialId, brdf: Brdf) {
+    // Another gesture may be under way.
+    state.history.settle(&state.scene);
+    edit(state, |scene| {
+        if let Some(opened) = scene.opened.iter_mut().find(|other| other.id == material) {
+            opened.brdf = brdf;
+        }
+    });
+    state.history.settle(&state.scene);
+}
+
+/// Whether a material still has the shape that the best ρ_d and k_s were found for.
+fn is_still(state: &State, material: MaterialId, found: &Result<Brdf, ProblemError>) -> bool {
+    let shape = |brdf: &Brdf| (brdf.params.s, brdf.params.alpha, brdf.params.eta);
+    let same = |best: &Brdf| {
+        let mut opened = state.scene.opened.iter();
+        opened.any(|opened| opened.id == material && shape(&opened.brdf) == shape(best))
+    };
+    found.as_ref().map_or(true, same)
+}
+
+/// Sets ρ_d and k_s, if the material still has that model.
+fn take_amplitudes(state: &mut State, material: MaterialId, best: &Brdf, as_step: bool) {
+    let same = |opened: &&mut Opened| {
+        opened.id == material && Variant::from(&opened.brdf) == Variant::from(best)
+    };
+    let Some(opened) = state.scene.opened.iter_mut().find(same) else {
+        return;
+    };
+    let mut brdf = opened.brdf;
+    brdf.params.rho_d = best.params.rho_d;
+    brdf.params.k_s = best.params.k_s;
+    if as_step {
+        set_model(state, material, brdf);
+    } else {
+        opened.brdf = brdf;
+    }
+}

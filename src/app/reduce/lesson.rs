@@ -1,0 +1,122 @@
+//! How the state changes from step to step of a lesson.
+
+use crate::app::lessons::Set;
+use crate::app::lessons::rows::LESSONS;
+use crate::app::msg::Msg;
+use crate::app::msg::Task;
+use crate::app::reduce::apply;
+use crate::app::reduce::edit;
+use crate::app::reduce::edit_brdf;
+use crate::app::reduce::opening::load;
+use crate::app::state::State;
+use crate::app::state::fitting::settings::Settings;
+use crate::app::state::lesson::LessonAt;
+use crate::app::state::material::Origin;
+use crate::brdf::Model;
+use crate::geom::sphere::LIGHT_PRESETS;
+use crate::measured::samples::SAMPLES;
+
+/// Goes to a step of a lesson, or ends the lesson where there is no such step.
+pub(crate) fn go(state: &mut State, lesson: usize, step: usize) -> Vec<Task> {
+    let at = LessonAt {
+        lesson,
+        step,
+        waits: true,
+    };
+    state.lesson = at.step().map(|_| at);
+    perform(state)
+}
+
+/// Sets the scene of the step that waits for it, if its material is there; asks for the material if it is not.
+pub(crate) fn perform(state: &mut State) -> Vec<Task> {
+    let Some(at) = state.lesson.filter(|at| at.waits) else {
+        return Vec::new();
+    };
+    let steps = LESSONS[at.lesson].steps.iter().take(at.step + 1);
+    let all: Vec<Set> = steps.flat_map(|step| step.set).copied().collect();
+    if let Some(Set::Sample(key)) = all.first() {
+        match show_sample(state, key) {
+            Shown::Yes => {}
+            Shown::Soon => return Vec::new(),
+            Shown::After(task) => return vec![*task],
+        }
+    }
+    if let Some(at) = &mut state.lesson {
+        at.waits = false;
+    }
+    state.history.settle(&state.scene);
+    let tasks = all
+        .iter()
+        .flat_map(|set| perform_one(state, *set))
+        .collect();
+    state.history.settle(&state.scene);
+    tasks
+}
+
+enum Shown {
+    Yes,
+    Soon,
+    After(Box<Task>),
+}
+
+fn show_sample(state: &mut State, key: &str) -> Shown {
+    let Some(index) = SAMPLES.iter().position(|sample| sample.key == key) else {
+        return Shown::Yes;
+    };
+    let origin = Origin::Sample(index);
+    let open = state.scene.opened.iter().position(|opened| {
+        let material = state.materials.get(&opened.id);
+        material.is_some_and(|material| material.origin == origin)
+    });
+    match open {
+        Some(position) => {
+            edit(state, |scene| scene.selected = position);
+            Shown::Yes
+        }
+        None if state
+            .jobs
+            .iter()
+            .any(|job| job.label == SAMPLES[index].name) =>
+        {
+            Shown::Soon
+        }
+        None => Shown::After(Box::new(load(state, origin))),
+    }
+}
+
+fn perform_one(state: &mut State, set: Set) -> Vec<Task> {
+    match set {
+        // Done before the others.
+        Set::Sample(_) => {}
+        Set::Model(key) => {
+            if let Some(model) = Model::by_key(key) {
+                edit_brdf(state, |brdf| brdf.model = model);
+            }
+        }
+        Set::Fresnel(fresnel) => edit_brdf(state, |brdf| brdf.fresnel = fresnel),
+        Set::Param(id, value) => {
+            let channel = None;
+            return apply(state, Msg::SetParam { id, channel, value });
+        }
+        Set::Angles(degrees, active) => edit(state, |scene| {
+            scene.lobes.theta_i = degrees.iter().map(|theta| theta.to_radians()).collect();
+            scene.lobes.active = active;
+        }),
+        Set::Scale(scale) => edit(state, |scene| scene.lobes.scale = scale),
+        Set::Lights(index) => edit(state, |scene| {
+            if let Some(preset) = LIGHT_PRESETS.get(index) {
+                scene.sphere.view.lights = (preset.lights)();
+            }
+        }),
+        Set::Sphere(show) => edit(state, |scene| scene.sphere.show = show),
+        Set::Tile(pane) => state.tiles.show(pane),
+        Set::Stages(stages, from_sliders) => {
+            state.fit.settings = Settings {
+                stages,
+                from_sliders,
+                ..Settings::default()
+            };
+        }
+    }
+    Vec::new()
+}

@@ -1,0 +1,176 @@
+//! How the state changes when a folder is opened, looked at and stepped through.
+
+use crate::app::msg::Task;
+use crate::app::msg::library::LibraryMsg;
+use crate::app::msg::library::LibraryTask;
+use crate::app::reduce::folder_fit;
+use crate::app::reduce::memory;
+use crate::app::reduce::notify;
+use crate::app::reduce::show;
+use crate::app::state::State;
+use crate::app::state::job::CancelFlag;
+use crate::app::state::library::Folder;
+use crate::app::state::library::FolderFile;
+use crate::app::state::library::Kind;
+use crate::app::state::library::Scan;
+use crate::app::state::notice::Level;
+use crate::app::state::prefs::MemoryLimit;
+use crate::files;
+use crate::files::fits::MaterialFits;
+use crate::files::folder::{Content, shown_name};
+use crate::fit::Variant;
+use std::path::{Path, PathBuf};
+
+/// Changes the state.
+pub(crate) fn apply(state: &mut State, msg: LibraryMsg) -> Vec<Task> {
+    match msg {
+        LibraryMsg::Open(path) => return open(state, &path),
+        LibraryMsg::Close => close(state),
+        LibraryMsg::Listed { number, result } => listed(state, number, result),
+        LibraryMsg::Seen { number, seen } => {
+            for (index, result) in seen {
+                see(state, number, index, result);
+            }
+            return show_first(state);
+        }
+        LibraryMsg::Examined {
+            number,
+            index,
+            result,
+        } => {
+            if let Some(file) = file_mut(state, number, index) {
+                file.kind = match result {
+                    Ok(examined) => Kind::Measured(Some(examined)),
+                    Err(reason) => Kind::Other(reason),
+                };
+            }
+        }
+        LibraryMsg::Scanned { number } => {
+            if let Some(folder) = folder_mut(state, number) {
+                folder.scan = Scan::Done;
+            }
+        }
+        LibraryMsg::Search(text) => state.library.search = text,
+        LibraryMsg::Sort(sort) => {
+            state.library.sort = sort;
+            state.library.reveal += 1;
+        }
+        LibraryMsg::Show { path, keep } => return show::show_file(state, path, keep),
+        LibraryMsg::Step(by) => return show::step(state, by),
+        LibraryMsg::Keep => show::keep_open(state),
+        LibraryMsg::SetLimit(mib) => state.prefs.memory = MemoryLimit(mib),
+        LibraryMsg::Fit { number, update } => folder_fit::update(state, number, update),
+    }
+    Vec::new()
+}
+
+fn open(state: &mut State, path: &Path) -> Vec<Task> {
+    let path = files::absolute(path);
+    close(state);
+    state.prefs.remember(path.clone());
+    state.prefs.folder = Some(path.clone());
+    let (number, cancel) = (state.fresh_id(), CancelFlag::default());
+    state.library.folder = Some(Folder {
+        number,
+        path: path.clone(),
+        files: Vec::new(),
+        scan: Scan::Listing,
+        cancel: cancel.clone(),
+    });
+    vec![Task::Library(LibraryTask::Scan {
+        number,
+        path,
+        cancel,
+        hold: state.library.hold.clone(),
+    })]
+}
+
+fn close(state: &mut State) {
+    if let Some(cursor) = state.library.cursor.take()
+        && state.position_of_file(&cursor).is_none()
+    {
+        memory::cancel_pending(state);
+    }
+    let library = &mut state.library;
+    library.folder = None;
+    library.search.clear();
+}
+
+fn folder_mut(state: &mut State, number: u64) -> Option<&mut Folder> {
+    let folder = state.library.folder.as_mut();
+    folder.filter(|folder| folder.number == number)
+}
+
+fn file_mut(state: &mut State, number: u64, index: usize) -> Option<&mut FolderFile> {
+    folder_mut(state, number)?.files.get_mut(index)
+}
+
+fn listed(state: &mut State, number: u64, result: Result<Vec<PathBuf>, String>) {
+    let Some(folder) = folder_mut(state, number) else {
+        return;
+    };
+    match result {
+        Ok(paths) => {
+            let file = |path: PathBuf| FolderFile {
+                name: shown_name(&path),
+                path,
+                kind: Kind::Unknown,
+            };
+            folder.files = paths.into_iter().map(file).collect();
+            folder.scan = Scan::Looking;
+        }
+        Err(reason) => {
+            state.library.folder = None;
+            notify(state, Level::Error, reason);
+        }
+    }
+}
+
+fn see(state: &mut State, number: u64, index: usize, result: Result<Content, String>) {
+    let Some(file) = file_mut(state, number, index) else {
+        return;
+    };
+    match result {
+        Ok(Content::Measured) => file.kind = Kind::Measured(None),
+        Ok(Content::Models(all)) => {
+            file.kind = Kind::Models(all.len());
+            for fits in &all {
+                take_fits(state, fits);
+            }
+        }
+        Err(reason) => file.kind = Kind::Other(reason),
+    }
+}
+
+/// Keeps the fits of a fit file for the measured files of the folder that it names. What was fitted here stays.
+fn take_fits(state: &mut State, fits: &MaterialFits) {
+    let library = &mut state.library;
+    let Some(folder) = &library.folder else {
+        return;
+    };
+    let here = |place: &&PathBuf| folder.files.iter().any(|file| file.path == **place);
+    let Some(path) = fits.places.iter().find(here) else {
+        return;
+    };
+    for record in fits.entries.iter().filter_map(|entry| entry.fit.as_ref()) {
+        let variant = Variant::from(&record.brdf);
+        let kept = library.fits.get(path);
+        let known =
+            kept.is_some_and(|kept| kept.iter().any(|fit| Variant::from(&fit.brdf) == variant));
+        if !known {
+            library.keep_fit(path, record.clone());
+        }
+    }
+}
+
+/// In an empty window, a folder shows its first material.
+fn show_first(state: &mut State) -> Vec<Task> {
+    let empty = state.scene.opened.is_empty() && state.jobs.is_empty();
+    if !empty || state.library.cursor.is_some() || state.library.pending.is_some() {
+        return Vec::new();
+    }
+    match state.library.steps().first() {
+        Some(first) => show::show_file(state, first.clone(), false),
+        None => Vec::new(),
+    }
+}

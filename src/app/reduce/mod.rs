@@ -1,0 +1,186 @@
+//! The one place where the state changes: `apply(state, message) → tasks`.
+pub mod command;
+pub mod figure;
+pub mod fit;
+pub mod fit_files;
+pub mod folder_fit;
+pub mod lesson;
+pub mod library;
+pub mod memory;
+pub mod open_session;
+pub mod opening;
+pub mod session;
+pub mod show;
+
+use crate::app::msg::Msg;
+use crate::app::msg::Task;
+use crate::app::reduce::opening::forget_unreachable;
+use crate::app::reduce::opening::load;
+use crate::app::state::Scene;
+use crate::app::state::State;
+use crate::app::state::material::Origin;
+use crate::app::state::notice::Level;
+use crate::app::state::notice::Notice;
+use crate::app::state::subjects;
+use crate::app::state::subjects::Subjects;
+use crate::brdf::{Brdf, ParamId, Params};
+use crate::files::session::has_ending;
+use crate::geom::color::luminance;
+
+/// Changes the state. Whatever happened, what is shown stays in memory and the rest within its limit.
+pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
+    let mut tasks = change(state, msg);
+    tasks.extend(memory::keep(state));
+    tasks
+}
+
+fn change(state: &mut State, msg: Msg) -> Vec<Task> {
+    match msg {
+        Msg::Run(command) => return command::run(state, command),
+        Msg::OpenFiles(mut paths) => {
+            // A session takes the place of what is open; what comes with it is added.
+            paths.sort_by_key(|path| !has_ending(path));
+            return paths
+                .into_iter()
+                .map(|path| load(state, Origin::File(path)))
+                .collect();
+        }
+        Msg::Progress { job, progress } => {
+            if let Some(job) = state.jobs.iter_mut().find(|other| other.id == job) {
+                job.progress = progress;
+            }
+        }
+        Msg::Loaded {
+            job,
+            origin,
+            result,
+        } => {
+            show::loaded(state, job, origin, result);
+            return lesson::perform(state);
+        }
+        Msg::FitsRead { job, path, fits } => {
+            state.jobs.retain(|other| other.id != job);
+            return fit_files::open(state, &path, fits);
+        }
+        Msg::Cancel(job) => {
+            if let Some(job) = state.jobs.iter().find(|other| other.id == job) {
+                job.cancel.set();
+            }
+        }
+        Msg::Select(index) => return show::select(state, index),
+        Msg::Close(index) => {
+            if let Some(opened) = state.scene.opened.get(index) {
+                fit::forget(state, opened.id);
+            }
+            edit(state, |scene| {
+                if index < scene.opened.len() {
+                    scene.opened.remove(index);
+                    if scene.selected > index || scene.selected == scene.opened.len() {
+                        scene.selected = scene.selected.saturating_sub(1);
+                    }
+                }
+            });
+            forget_unreachable(state);
+        }
+        Msg::SetParam { id, channel, value } => {
+            edit_brdf(state, |brdf| {
+                let Some(row) = brdf.model.param(id) else {
+                    return;
+                };
+                let value = row.clamp(value);
+                let values = brdf.params.get_mut(id);
+                match channel {
+                    Some(channel) => values[channel] = value,
+                    None => values.fill(value),
+                }
+            });
+            return fit::refit(state);
+        }
+        Msg::ResetParam(id) => {
+            edit_brdf(state, |brdf| {
+                if let Some(row) = brdf.model.param(id) {
+                    brdf.params.get_mut(id).fill(row.default);
+                }
+            });
+            return fit::refit(state);
+        }
+        Msg::SetGrey(id, grey) => {
+            edit(state, |scene| {
+                if let Some(index) = Scene::grey_index(id) {
+                    scene.grey[index] = grey;
+                }
+            });
+            if grey {
+                edit_brdf(state, |brdf| make_grey(&mut brdf.params, id));
+            }
+        }
+        Msg::Cache(msg) => {
+            return msg
+                .apply(&mut state.caches)
+                .map(Task::Start)
+                .into_iter()
+                .collect();
+        }
+        Msg::Lesson { lesson, step } => return lesson::go(state, lesson, step),
+        Msg::EndLesson => state.lesson = None,
+        Msg::Fit(msg) => return fit::apply(state, msg),
+        Msg::Figure(msg) => return figure::apply(state, msg),
+        Msg::Library(msg) => return library::apply(state, msg),
+        Msg::Session(msg) => return session::apply(state, msg),
+        Msg::SetSphere(sphere) => edit(state, |scene| scene.sphere = sphere),
+        Msg::SetLobes(lobes) => edit(state, |scene| scene.lobes = lobes),
+        Msg::SetSlices(slices) => edit(state, |scene| scene.slices = slices),
+        Msg::SetAlbedo(albedo) => edit(state, |scene| scene.albedo = albedo),
+        Msg::SetLobe3d(lobe3d) => edit(state, |scene| scene.lobe3d = lobe3d),
+        Msg::SetImage(image) => edit(state, |scene| scene.image = image),
+        Msg::SetErrorMap(map) => edit(state, |scene| scene.error_map = map),
+        Msg::SetLandscape(landscape) => edit(state, |scene| scene.landscape = landscape),
+        Msg::SetScatter(scatter) => edit(state, |scene| scene.scatter = scatter),
+        Msg::SetLayout(tiles) => state.tiles = tiles,
+        Msg::TakeModel(brdf) => return fit::take(state, brdf),
+        Msg::Hover(probe) => state.hovered = probe,
+        Msg::Pin(probe) => state.pinned = probe,
+        Msg::Legend { key, solo } => {
+            let all = Subjects::of(state).keys;
+            edit(state, |scene| subjects::toggle(scene, &all, key, solo));
+        }
+        Msg::SetBeside(index, beside) => edit(state, |scene| {
+            if let Some(opened) = scene.opened.get_mut(index) {
+                opened.beside = beside;
+            }
+        }),
+        Msg::Typed(text) => state.typed = text,
+        Msg::CloseDialog => state.dialog = None,
+        Msg::Notify(level, text) => notify(state, level, text),
+        Msg::Dismiss(id) => state.notices.retain(|notice| notice.id != id),
+        Msg::Settle => state.history.settle(&state.scene),
+    }
+    Vec::new()
+}
+
+fn make_grey(params: &mut Params, id: ParamId) {
+    let values = params.get_mut(id);
+    if let [r, g, b] = *values {
+        values.fill(luminance([r, g, b]));
+    }
+}
+
+pub(crate) fn edit(state: &mut State, change: impl FnOnce(&mut Scene)) {
+    state.history.before_change(&state.scene);
+    change(&mut state.scene);
+}
+
+/// Changes the shown model. A fit that moves it is stopped: its best so far is what is changed.
+pub(crate) fn edit_brdf(state: &mut State, change: impl FnOnce(&mut Brdf)) {
+    fit::release_model(state);
+    edit(state, |scene| {
+        if let Some(opened) = scene.opened.get_mut(scene.selected) {
+            change(&mut opened.brdf);
+        }
+    });
+}
+
+pub(crate) fn notify(state: &mut State, level: Level, text: String) {
+    let id = state.fresh_id();
+    state.notices.push(Notice { id, level, text });
+}

@@ -1,0 +1,288 @@
+//! What opening a session does to the state.
+
+use crate::app::msg::Task;
+use crate::app::reduce::edit;
+use crate::app::reduce::fit;
+use crate::app::reduce::memory;
+use crate::app::reduce::notify;
+use crate::app::reduce::opening::forget_unreachable;
+use crate::app::reduce::opening::load;
+use crate::app::session::file::SavedFitting;
+use crate::app::session::file::SavedKey;
+use crate::app::session::file::SavedMaterial;
+use crate::app::session::file::SavedWhat;
+use crate::app::session::file::SessionFile;
+use crate::app::session::places::Found;
+use crate::app::session::places::Place;
+use crate::app::state::Scene;
+use crate::app::state::State;
+use crate::app::state::fitting::kept::KeptFit;
+use crate::app::state::fitting::settings::Settings;
+use crate::app::state::material::Material;
+use crate::app::state::material::MaterialId;
+use crate::app::state::material::Opened;
+use crate::app::state::material::Origin;
+use crate::app::state::material::Presence;
+use crate::app::state::notice::Level;
+use crate::app::state::probe::Probe;
+use crate::app::state::session::Missing;
+use crate::app::state::subject_key::SubjectKey;
+use crate::app::state::subject_key::What;
+use crate::brdf::params::ALL;
+use crate::brdf::{Fresnel, Model};
+use crate::files;
+use crate::fit::{STAGES, Variant};
+use crate::measured::Table;
+use crate::measured::samples::SAMPLES;
+use std::path::{Path, PathBuf};
+
+/// How many remarks on a file are shown one by one.
+const REMARKS: usize = 3;
+
+/// Puts a session in place of what is open, as one step. Tiles, settings of the fit and the pinned probe are no part of
+/// the history, here as elsewhere.
+pub(crate) fn open(state: &mut State, job: u64, path: &Path, found: Found) -> Vec<Task> {
+    state.jobs.retain(|other| other.id != job);
+    // What a fit has found so far belongs to what is left, and comes back with it.
+    fit::stop(state);
+    fit::forget_refits(state);
+    memory::cancel_pending(state);
+    state.library.preview = None;
+    state.library.cursor = None;
+    state.lesson = None;
+
+    let Found {
+        session,
+        remarks,
+        places,
+    } = found;
+    let number = state.fresh_id();
+    let mut ids = Vec::new();
+    for (saved, place) in session.materials.iter().zip(places) {
+        ids.push(add(state, path, saved, place));
+    }
+    let scene = scene_of(&session, &ids, number);
+    put(state, scene);
+    take_the_rest(state, &session);
+    name(state, number, path, session.saved_as);
+    remark(state, path, remarks);
+    forget_unreachable(state);
+    load_all(state, &ids)
+}
+
+/// The scene of a session, and nothing where there was one before.
+fn scene_of(session: &SessionFile, ids: &[MaterialId], number: u64) -> Scene {
+    let views = session.views.clone();
+    let opened = session.materials.iter().zip(ids);
+    Scene {
+        session: number,
+        opened: opened
+            .map(|(saved, id)| Opened {
+                id: *id,
+                brdf: saved.model.0,
+                beside: saved.beside,
+            })
+            .collect(),
+        selected: session.shown,
+        grey: [session.grey.rho_d, session.grey.k_s],
+        hidden: session
+            .hidden
+            .iter()
+            .filter_map(|key| subject_key(key, ids))
+            .collect(),
+        lookup: session.lookup,
+        sphere: views.sphere,
+        lobes: views.lobes,
+        slices: views.slices,
+        albedo: views.albedo,
+        lobe3d: views.lobe3d,
+        image: views.image,
+        error_map: views.error_map,
+        landscape: views.landscape,
+        scatter: views.scatter,
+    }
+}
+
+fn put(state: &mut State, scene: Scene) {
+    if state.scene.opened.is_empty() && !state.history.can_undo() {
+        // Where the story begins, not a step of it.
+        state.scene = scene;
+        return;
+    }
+    // A drag may be under way.
+    state.history.settle(&state.scene);
+    edit(state, |present| *present = scene);
+    state.history.settle(&state.scene);
+}
+
+fn add(state: &mut State, path: &Path, saved: &SavedMaterial, place: Place) -> MaterialId {
+    let id = MaterialId(state.fresh_id());
+    let key = saved.sample.as_deref();
+    let sample = key.and_then(|key| SAMPLES.iter().position(|sample| sample.key == key));
+    let mut source = saved.source.as_ref().map(|source| source.file());
+    let (origin, presence) = match (&saved.source, sample, place.found) {
+        (Some(_), _, Some(file)) => {
+            if let Some(source) = &mut source {
+                source.path = file.display().to_string();
+            }
+            state.session.unread.insert(id);
+            (Origin::File(file), Presence::Evicted)
+        }
+        (Some(source), _, None) => {
+            state.session.missing.push(Missing {
+                id,
+                source: source.clone(),
+                tried: place.tried,
+                skipped: false,
+            });
+            (Origin::File(source.path.clone().into()), Presence::Missing)
+        }
+        (None, Some(index), _) => (Origin::Sample(index), Presence::Evicted),
+        // A model and nothing else.
+        (None, None, _) => (Origin::File(path.to_owned()), Presence::Loaded),
+    };
+    let material = Material {
+        name: saved.name.clone(),
+        origin,
+        source,
+        table: Table::unmeasured(),
+        presence,
+        last_shown: 0,
+        guess: saved.guess.0,
+        fits: Vec::new(),
+    };
+    state.materials.insert(id, material);
+    for fit in &saved.fits {
+        state.keep_fit(
+            id,
+            KeptFit {
+                seconds: fit.seconds,
+                overlaid: fit.overlaid,
+                ..KeptFit::from(&fit.record)
+            },
+        );
+    }
+    id
+}
+
+fn subject_key(key: &SavedKey, ids: &[MaterialId]) -> Option<SubjectKey> {
+    Some(SubjectKey {
+        material: *ids.get(key.material)?,
+        what: match &key.what {
+            SavedWhat::Measured => What::Measured,
+            SavedWhat::Model => What::Model,
+            SavedWhat::Fit { model, fresnel } => What::Fit(Variant {
+                model: Model::by_key(model)?,
+                fresnel: Fresnel::by_key(fresnel)?,
+            }),
+        },
+    })
+}
+
+fn take_the_rest(state: &mut State, session: &SessionFile) {
+    state.fit.settings = settings(&session.fit);
+    state.fit.keep_optimal = session.fit.keep_optimal;
+    state.fit.sort = session.fit.sort;
+    state.pinned = session.probe.map(|probe| Probe {
+        wi: probe.wi,
+        wo: probe.wo,
+    });
+    if let Some(tiles) = &session.layout {
+        state.tiles = tiles.clone();
+    }
+}
+
+fn settings(saved: &SavedFitting) -> Settings {
+    Settings {
+        weight: saved.weight,
+        limit: saved.limit,
+        stages: STAGES.map(|stage| saved.stages.contains(&stage.number())),
+        held: ALL.map(|row| saved.held.iter().any(|key| key == row.key)),
+        bounds: ALL.map(|row| saved.bounds.get(row.key).copied()),
+        from_sliders: saved.from_sliders,
+    }
+}
+
+/// The name of the session; what is restored has the one that it had.
+fn name(state: &mut State, number: u64, path: &Path, saved_as: Option<String>) {
+    let restored = state.session.restoring.take_if(|other| other == path);
+    match (restored, saved_as) {
+        (Some(restored), saved_as) => {
+            state.session.restored.push(restored);
+            if let Some(file) = saved_as {
+                state.session.files.insert(number, file.into());
+            }
+        }
+        (None, _) => {
+            let path = files::absolute(path);
+            state.prefs.remember(path.clone());
+            state.session.files.insert(number, path);
+        }
+    }
+}
+
+fn remark(state: &mut State, path: &Path, remarks: Vec<String>) {
+    let more = remarks.len().saturating_sub(REMARKS);
+    for text in remarks.into_iter().take(REMARKS) {
+        notify(state, Level::Info, text);
+    }
+    if more > 0 {
+        let what = format!("{more} more remarks on this session are not shown");
+        let text = files::FileError::new(path, what).to_string();
+        notify(state, Level::Info, text);
+    }
+}
+
+/// Asks for the data of all materials, the shown one first.
+fn load_all(state: &mut State, ids: &[MaterialId]) -> Vec<Task> {
+    let shown = ids.get(state.scene.selected);
+    let others = ids.iter().filter(|id| Some(*id) != shown);
+    let mut tasks = Vec::new();
+    for id in shown.into_iter().chain(others) {
+        let material = state.materials.get(id);
+        if material.is_some_and(|material| material.presence == Presence::Evicted) {
+            tasks.extend(memory::reload(state, *id).map(|(_, task)| task));
+        }
+    }
+    tasks
+}
+
+/// Files of materials were found.
+pub(crate) fn located(state: &mut State, found: Vec<(MaterialId, PathBuf)>) -> Vec<Task> {
+    let mut ids = Vec::new();
+    for (id, path) in found {
+        let Some(material) = state.materials.get_mut(&id) else {
+            continue;
+        };
+        if material.presence != Presence::Missing {
+            continue;
+        }
+        let path = files::absolute(&path);
+        if let Some(source) = &mut material.source {
+            source.path = path.display().to_string();
+        }
+        material.origin = Origin::File(path);
+        material.presence = Presence::Evicted;
+        state.session.missing.retain(|missing| missing.id != id);
+        state.session.unread.insert(id);
+        ids.push(id);
+    }
+    load_all(state, &ids)
+}
+
+/// Opens what the last run has left.
+pub(crate) fn restore(state: &mut State) -> Vec<Task> {
+    // The others are offered at the next start.
+    let Some(crashed) = std::mem::take(&mut state.session.crashed)
+        .into_iter()
+        .next()
+    else {
+        return Vec::new();
+    };
+    state.session.restoring = Some(crashed.file.clone());
+    let task = load(state, Origin::File(crashed.file));
+    if let Some(job) = state.jobs.last_mut() {
+        job.label = "what was open".into();
+    }
+    vec![task]
+}

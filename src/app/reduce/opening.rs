@@ -1,0 +1,130 @@
+//! Opening: a job that loads, and a place in the scene for what it brings.
+
+use crate::app::msg::Loaded;
+use crate::app::msg::Task;
+use crate::app::reduce::edit;
+use crate::app::reduce::fit_files;
+use crate::app::state::Scene;
+use crate::app::state::State;
+use crate::app::state::job::CancelFlag;
+use crate::app::state::job::Job;
+use crate::app::state::job::Purpose;
+use crate::app::state::material::Material;
+use crate::app::state::material::MaterialId;
+use crate::app::state::material::Opened;
+use crate::app::state::material::Origin;
+use crate::app::state::material::Presence;
+use crate::files::fits::MaterialFits;
+use crate::files::folder::shown_name;
+use crate::measured::samples::SAMPLES;
+
+pub(crate) fn load(state: &mut State, origin: Origin) -> Task {
+    load_with(state, origin, None)
+}
+
+/// Loads a material that a fit file has models for.
+pub(crate) fn load_with(
+    state: &mut State,
+    origin: Origin,
+    fits: Option<Box<MaterialFits>>,
+) -> Task {
+    let job = state.fresh_id();
+    let cancel = CancelFlag::default();
+    let label = match &origin {
+        Origin::File(path) => shown_name(path),
+        Origin::Sample(index) => SAMPLES[*index].name.to_string(),
+    };
+    state.jobs.push(Job {
+        id: job,
+        label,
+        progress: 0.0,
+        cancel: cancel.clone(),
+        purpose: Purpose::Open,
+    });
+    Task::Load {
+        job,
+        origin,
+        fits,
+        cancel,
+    }
+}
+
+pub(crate) fn add_material(state: &mut State, origin: Origin, loaded: Loaded) {
+    // What comes with a fit file is found again through that.
+    if let (Origin::File(path), None) = (&origin, &loaded.fits) {
+        state.prefs.remember(path.clone());
+    }
+    add_material_at(state, origin, loaded, None);
+}
+
+/// Opens a material, in the place of another one where `replaced` names it. Returns which it is.
+pub(crate) fn add_material_at(
+    state: &mut State,
+    origin: Origin,
+    loaded: Loaded,
+    replaced: Option<MaterialId>,
+) -> MaterialId {
+    let brdf = loaded.brdf();
+    let id = MaterialId(state.fresh_id());
+    state.materials.insert(
+        id,
+        Material {
+            name: loaded.name,
+            origin,
+            source: loaded.source,
+            table: loaded.table,
+            presence: Presence::Loaded,
+            last_shown: 0,
+            guess: loaded.guess,
+            fits: Vec::new(),
+        },
+    );
+    if let Some(fits) = &loaded.fits {
+        fit_files::arrived(state, id, fits);
+    }
+    let opened = Opened {
+        id,
+        brdf,
+        beside: false,
+    };
+    let add = |scene: &mut Scene| {
+        let place = |other: &Opened| Some(other.id) == replaced;
+        scene.selected = match scene.opened.iter().position(place) {
+            Some(index) => {
+                scene.opened[index] = opened;
+                index
+            }
+            None => {
+                scene.opened.push(opened);
+                scene.opened.len() - 1
+            }
+        };
+    };
+    if state.scene.opened.is_empty() && !state.history.can_undo() {
+        // The first material is where the story begins, not a step of it.
+        add(&mut state.scene);
+        return id;
+    }
+    // A drag may be under way: opening is a step of its own.
+    state.history.settle(&state.scene);
+    edit(state, add);
+    state.history.settle(&state.scene);
+    forget_unreachable(state);
+    id
+}
+
+/// Drops the data that neither the scene nor any step of its history shows.
+pub(crate) fn forget_unreachable(state: &mut State) {
+    let State {
+        materials,
+        history,
+        scene,
+        ..
+    } = state;
+    let reachable: std::collections::BTreeSet<MaterialId> = history
+        .states()
+        .chain([&*scene])
+        .flat_map(|scene| scene.opened.iter().map(|opened| opened.id))
+        .collect();
+    materials.retain(|id, _| reachable.contains(id));
+}

@@ -1,0 +1,39 @@
+//! Settings of figures, and the views that go into one.
+
+use crate::app::state::views::ViewId;
+use crate::export::Format;
+use crate::figure::page::Style;
+use serde::{Deserialize, Serialize};
+
+/// What a figure is set to, kept between runs.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct FigurePrefs {
+    /// How it looks.
+    pub style: Style,
+    /// What it is written as.
+    pub format: Format,
+    /// Panels beside each other.
+    pub columns: usize,
+}
+
+impl Default for FigurePrefs {
+    fn default() -> Self {
+        Self {
+            style: Style::default(),
+            format: Format::default(),
+            columns: 2,
+        }
+    }
+}
+
+/// Which view the pointer is on, and which ones go into a figure.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Views {
+    /// Under the pointer.
+    pub pointed: Option<ViewId>,
+    /// The last one that was.
+    pub last: Option<ViewId>,
+    /// Those in the figure that is being made, in its order.
+    pub chosen: Vec<ViewId>,
+}

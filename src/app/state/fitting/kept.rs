@@ -1,0 +1,118 @@
+//! Fits that are kept with their material.
+
+use crate::app::state::fitting::settings::Setup;
+use crate::brdf::Fresnel;
+use crate::files::SourceFile;
+use crate::files::fits::FitRecord;
+use crate::fit::{Ended, Outcome, Progress, StageReport, Variant, concerns};
+use crate::geom::degrees;
+use serde::{Deserialize, Serialize};
+
+/// A fit that is kept with its material.
+#[derive(Clone, Debug)]
+pub struct KeptFit {
+    /// What it brought.
+    pub outcome: Outcome,
+    /// What it was asked.
+    pub setup: Setup,
+    /// How long it took; `None` where nobody knows.
+    pub seconds: Option<f64>,
+    /// All that it said while it ran; may be empty.
+    pub trace: Vec<Progress>,
+    /// Whether its lobes are drawn beside the model's.
+    pub overlaid: bool,
+}
+
+impl KeptFit {
+    /// What was fitted.
+    pub fn variant(&self) -> Variant {
+        Variant::from(&self.outcome.brdf)
+    }
+
+    /// The same as fit files keep it.
+    pub fn record(&self, material: String, source: Option<SourceFile>) -> FitRecord {
+        let Setup {
+            weight,
+            limit,
+            options,
+        } = &self.setup;
+        let asked = (*weight, degrees::rounded(*limit));
+        FitRecord::new(material, source, asked, options, &self.outcome)
+    }
+
+    /// Whether it was stopped before its end.
+    pub fn is_cancelled(&self) -> bool {
+        self.outcome.ended == Ended::Cancelled
+    }
+}
+
+impl From<&FitRecord> for KeptFit {
+    /// A fit from a file; where its first stage began is not in there, nor what it said.
+    fn from(record: &FitRecord) -> Self {
+        let variant = Variant::from(&record.brdf);
+        let end = |k: usize| variant.with(record.stages[k].params);
+        let stages = record
+            .stages
+            .iter()
+            .enumerate()
+            .map(|(k, stage)| StageReport {
+                stage: stage.stage,
+                start: end(k.saturating_sub(1)),
+                start_error: stage.start_error,
+                end: end(k),
+                error: stage.error,
+                evaluations: stage.evaluations,
+            });
+        Self {
+            outcome: Outcome {
+                brdf: record.brdf,
+                errors: record.errors,
+                stages: stages.collect(),
+                evaluations: record.evaluations,
+                ended: record.ended,
+                albedo: record.albedo,
+                concerns: concerns::of(&record.brdf, &record.options, &record.albedo),
+            },
+            setup: Setup {
+                weight: record.weight,
+                limit: record.limit_deg.to_radians(),
+                options: record.options,
+            },
+            seconds: None,
+            trace: Vec::new(),
+            overlaid: false,
+        }
+    }
+}
+
+/// What the table of fits is ordered by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SortBy {
+    /// Model, then Fresnel factor.
+    Name,
+    /// E over all cells, the smallest first.
+    #[default]
+    Error,
+    /// E over the grazing cells, the smallest first.
+    Grazing,
+}
+
+/// A variant in few words, where room is short.
+pub fn short_variant_name(variant: Variant) -> String {
+    let model = variant.model.name;
+    match variant.fresnel {
+        Fresnel::None => model.to_string(),
+        fresnel => format!("{model}, {}", fresnel.key()),
+    }
+}
+
+/// A variant in words.
+pub fn variant_name(variant: Variant) -> String {
+    let model = variant.model.name;
+    match variant.fresnel {
+        Fresnel::None => format!("{model}, no Fresnel"),
+        Fresnel::Exact => format!("{model}, exact Fresnel"),
+        Fresnel::Schlick => format!("{model}, Schlick Fresnel"),
+    }
+}

@@ -1,0 +1,45 @@
+//! Fitting in the window: what is asked for, what is under way, what is kept.
+//!
+//! ```text
+//! Settings ── Command::Fit ──▶ Run + Task::Fit ──▶ a thread with a pool of its own (work.rs)
+//!                               │                      │ every word of the fit goes into a slot
+//!     what is on screen ◀── Run.live ◀── FitMsg::Updates ┘ that the window empties at each frame
+//!                               │
+//! Esc, a slider, another fit: stop ── the best so far becomes the model, at once, as one step
+//!                               │
+//!                          FitMsg::Done ──▶ Material.fits, one KeptFit per variant
+//! ```
+//!
+//! The scene does not change while a fit runs: [`State::current`] lays `Run.live` over it, and the end is one edit.
+//! So the fit is one step of the history whatever else is edited meanwhile. Kept fits, settings and check boxes are
+//! beside the scene: undo brings the model's numbers back, not these.
+//!
+//! A run of one variant drives the model of its material; a run of several leaves the model alone and fills the table.
+//! Newest wins: a run that is stopped or replaced is known by its number, and what it says later is not heard.
+//!
+//! "Keep ρ_d, k_s optimal": an edit of the model's shape asks for a [`RefitAmplitudes`]; the answer sets ρ_d and k_s of
+//! whatever shape is there then, without a step of its own, so that a drag with its answers is one step.
+pub mod kept;
+pub mod run;
+pub mod settings;
+
+use crate::app::state::fitting::kept::SortBy;
+use crate::app::state::fitting::run::Run;
+use crate::app::state::fitting::settings::Settings;
+
+/// The part of the state that is about fitting.
+#[derive(Debug, Default)]
+pub struct FitState {
+    /// What the next fit is asked.
+    pub settings: Settings,
+    /// The fit under way, or told to stop and not yet gone.
+    pub run: Option<Run>,
+    /// Whether ρ_d and k_s follow the other parameters.
+    pub keep_optimal: bool,
+    /// Answers to a [`RefitAmplitudes`] with a smaller number are out of date.
+    pub refit_from: u64,
+    /// The [`RefitAmplitudes`] of a model that was taken whole: its answer counts though ρ_d and k_s follow nothing.
+    pub refit_taken: u64,
+    /// Order of the table.
+    pub sort: SortBy,
+}

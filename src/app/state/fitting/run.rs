@@ -1,0 +1,101 @@
+//! A fit under way.
+
+use crate::app::state::fitting::settings::Setup;
+use crate::app::state::job::CancelFlag;
+use crate::app::state::material::MaterialId;
+use crate::app::state::material::Opened;
+use crate::fit::{Progress, Stage, Variant};
+
+/// A fit under way: of one variant, or of several.
+#[derive(Debug)]
+pub struct Run {
+    /// Its number.
+    pub job: u64,
+    /// Of which material; another one may be shown.
+    pub material: MaterialId,
+    /// What is fitted, in order.
+    pub parts: Vec<Part>,
+    /// Position of the part that spoke last.
+    pub at: usize,
+    /// What it was asked.
+    pub setup: Setup,
+    /// Set to make it stop.
+    pub cancel: CancelFlag,
+    /// It was told to stop; its outcome is yet to come.
+    pub stopping: bool,
+    /// The best so far, shown in place of the scene's model. None for several variants, and none once it is stopped.
+    pub live: Option<Opened>,
+    /// What `live` was when the run was stopped.
+    pub left: Option<Opened>,
+}
+
+/// One variant of a run.
+#[derive(Debug)]
+pub struct Part {
+    /// What is fitted.
+    pub variant: Variant,
+    /// Its reports so far.
+    pub updates: Vec<Progress>,
+}
+
+impl Part {
+    /// The best so far.
+    pub fn best(&self) -> Option<&Progress> {
+        self.updates.last()
+    }
+}
+
+impl Run {
+    /// Whether it moves the model of its material: one variant does, several fill the table.
+    pub fn drives_model(&self) -> bool {
+        self.parts.len() == 1 && !self.stopping
+    }
+
+    /// The part under way.
+    pub fn current_part(&self) -> Option<&Part> {
+        self.parts.get(self.at)
+    }
+
+    /// Roughly how far it is, in [0, 1].
+    pub fn share(&self) -> f32 {
+        let best = self.current_part().and_then(Part::best);
+        let within = best.map_or(0.0, |progress| progress.share.clamp(0.0, 1.0));
+        (self.at as f32 + within) / self.parts.len().max(1) as f32
+    }
+
+    /// Takes in reports.
+    pub(crate) fn take_in(&mut self, updates: FitUpdates) {
+        for (position, progress) in updates.updates {
+            let Some(part) = self.parts.get_mut(position) else {
+                continue;
+            };
+            part.updates.push(progress);
+            self.at = position;
+        }
+        if self.drives_model()
+            && let Some(best) = self.parts[0].best()
+        {
+            self.live = Some(Opened {
+                beside: false,
+                id: self.material,
+                brdf: best.brdf,
+            });
+        }
+    }
+}
+
+/// The first and the last report of a stage.
+pub fn stage_ends(updates: &[Progress], stage: Stage) -> Option<(&Progress, &Progress)> {
+    let first = updates.iter().find(|progress| progress.stage == stage)?;
+    let last = updates.iter().rfind(|progress| progress.stage == stage)?;
+    Some((first, last))
+}
+
+/// Reports of a fit, in order: the position of the variant, and its progress.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FitUpdates {
+    /// Number of the fit.
+    pub job: u64,
+    /// All since the last message.
+    pub updates: Vec<(usize, Progress)>,
+}

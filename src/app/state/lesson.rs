@@ -1,0 +1,12 @@
+//! Where a learner is.
+
+/// Where a learner is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LessonAt {
+    /// Position in [`LESSONS`].
+    pub lesson: usize,
+    /// Position in its steps.
+    pub step: usize,
+    /// Whether the step's scene is still to be set, as its material is being made.
+    pub waits: bool,
+}

@@ -1,0 +1,35 @@
+//! Made-up records of fits, for tests.
+
+use crate::brdf::{Brdf, Fresnel, MODELS, Params};
+use crate::files::fits::FitRecord;
+use crate::fit::{Ended, Errors, Options, Weight};
+
+/// A fit of the combined model with this s and this E.
+pub(crate) fn record(s: f64, error: f64) -> FitRecord {
+    FitRecord {
+        material: "made up".into(),
+        source: None,
+        version: "0".into(),
+        weight: Weight::Cosine,
+        limit_deg: 90.0,
+        options: Options::default(),
+        brdf: Brdf {
+            model: MODELS[2],
+            fresnel: Fresnel::Exact,
+            params: Params {
+                s,
+                ..Params::default()
+            },
+        },
+        errors: Errors {
+            total: error,
+            grazing: None,
+            channels: [error; 3],
+        },
+        stages: Vec::new(),
+        albedo: [[0.5; 3]; 3],
+        evaluations: 1,
+        ended: Ended::Converged,
+        concerns: Vec::new(),
+    }
+}

@@ -1,0 +1,38 @@
+//! A fit of a whole folder under way.
+
+use crate::app::state::job::CancelFlag;
+use crate::app::state::job::Hold;
+
+/// A fit of the folder that is under way. It ends with this.
+#[derive(Debug)]
+pub struct FolderRun {
+    /// Tells it from older ones.
+    pub number: u64,
+    /// How many files it fits.
+    pub total: usize,
+    /// How many are done.
+    pub done: usize,
+    /// How far the present one is, in [0, 1].
+    pub share: f32,
+    /// Its name.
+    pub name: String,
+    /// Why files could not be fitted.
+    pub failed: Vec<String>,
+    /// Makes it wait.
+    pub hold: Hold,
+    /// Set to make it stop.
+    pub cancel: CancelFlag,
+}
+
+impl Drop for FolderRun {
+    fn drop(&mut self) {
+        self.cancel.set();
+    }
+}
+
+impl FolderRun {
+    /// How far all of it is, in [0, 1].
+    pub fn progress(&self) -> f32 {
+        (self.done as f32 + self.share.clamp(0.0, 1.0)) / self.total.max(1) as f32
+    }
+}

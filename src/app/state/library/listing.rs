@@ -1,0 +1,176 @@
+//! Which files of the folder are listed, and in which order.
+
+use crate::app::state::library::Examined;
+use crate::app::state::library::FolderFile;
+use crate::app::state::library::Kind;
+use crate::app::state::library::Library;
+use crate::brdf::ParamId;
+use std::cmp::Ordering;
+
+/// What the files are ordered by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SortKey {
+    /// Name, with numbers by value.
+    #[default]
+    Name,
+    /// E of the best fit.
+    Error,
+    /// α of the best fit.
+    Alpha,
+    /// s of the best fit.
+    Exponent,
+    /// Half-width of the highlight.
+    Width,
+}
+
+/// All keys in the order offered, with their names on screen.
+pub const SORT_KEYS: [(SortKey, &str); 5] = [
+    (SortKey::Name, "Name"),
+    (SortKey::Error, "E of the best fit"),
+    (SortKey::Alpha, "α of the best fit"),
+    (SortKey::Exponent, "s of the best fit"),
+    (SortKey::Width, "Width of the highlight"),
+];
+
+/// An order of the files.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Sort {
+    /// By what.
+    pub key: SortKey,
+    /// Whether the largest comes first.
+    pub descending: bool,
+}
+
+impl Library {
+    /// Positions of the files that the search leaves, in order. Files without a value come last in either direction.
+    pub fn visible(&self) -> Vec<usize> {
+        let Some(folder) = &self.folder else {
+            return Vec::new();
+        };
+        let words: Vec<String> = self
+            .search
+            .to_lowercase()
+            .split_whitespace()
+            .map(str::to_owned)
+            .collect();
+        let found = |file: &FolderFile| {
+            let name = file.name.to_lowercase();
+            words.iter().all(|word| name.contains(word))
+        };
+        let mut rows: Vec<(usize, Option<f64>)> = folder
+            .files
+            .iter()
+            .enumerate()
+            .filter(|(_, file)| found(file))
+            .map(|(index, file)| (index, self.value(file)))
+            .collect();
+        // They are in the order of their names.
+        match (self.sort.key, self.sort.descending) {
+            (SortKey::Name, false) => {}
+            (SortKey::Name, true) => rows.reverse(),
+            (_, descending) => rows.sort_by(|a, b| in_order(a.1, b.1, descending)),
+        }
+        rows.into_iter().map(|(index, _)| index).collect()
+    }
+
+    /// The number that a file is ordered by.
+    fn value(&self, file: &FolderFile) -> Option<f64> {
+        let best = || self.best_fit(&file.path);
+        match self.sort.key {
+            SortKey::Name => None,
+            SortKey::Error => Some(best()?.errors.total),
+            SortKey::Alpha => {
+                let brdf = best()?.brdf;
+                brdf.uses(ParamId::Alpha).then_some(brdf.params.alpha)
+            }
+            SortKey::Exponent => Some(best()?.brdf.params.s),
+            // What has no highlight has a wide one.
+            SortKey::Width => Some(file.examined()?.half_width.unwrap_or(f64::INFINITY)),
+        }
+    }
+}
+
+fn in_order(a: Option<f64>, b: Option<f64>, descending: bool) -> Ordering {
+    match (a, b) {
+        (Some(a), Some(b)) if descending => b.total_cmp(&a),
+        (Some(a), Some(b)) => a.total_cmp(&b),
+        (a, b) => b.is_some().cmp(&a.is_some()),
+    }
+}
+
+impl FolderFile {
+    /// What reading it has brought.
+    pub fn examined(&self) -> Option<&Examined> {
+        match &self.kind {
+            Kind::Measured(examined) => examined.as_ref(),
+            _ => None,
+        }
+    }
+
+    /// Whether it can be opened as a material, as far as is known.
+    pub fn is_measured(&self) -> bool {
+        matches!(self.kind, Kind::Measured(_))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::state::library::Folder;
+    use crate::app::state::library::Scan;
+    use crate::app::state::library::fixtures::record;
+    use std::path::PathBuf;
+
+    fn library(names: &[&str]) -> Library {
+        let files = names.iter().map(|name| FolderFile {
+            path: PathBuf::from(name),
+            name: (*name).into(),
+            kind: Kind::Measured(None),
+        });
+        Library {
+            folder: Some(Folder {
+                number: 1,
+                path: PathBuf::new(),
+                files: files.collect(),
+                scan: Scan::Done,
+                cancel: Default::default(),
+            }),
+            ..Library::default()
+        }
+    }
+
+    #[test]
+    fn every_typed_word_is_in_the_name() {
+        let mut library = library(&["blue paint", "Blue rubber", "red paint"]);
+        let found = |library: &mut Library, text: &str| {
+            library.search = text.into();
+            library.visible()
+        };
+        assert_eq!(found(&mut library, ""), [0, 1, 2]);
+        assert_eq!(found(&mut library, " BLUE "), [0, 1]);
+        assert_eq!(found(&mut library, "paint blue"), [0]);
+        assert_eq!(found(&mut library, "green"), [0; 0]);
+    }
+
+    #[test]
+    fn what_has_no_value_comes_last_in_either_direction() {
+        let mut library = library(&["a", "b", "c", "d"]);
+        for (name, error, s) in [("b", 0.2, 5.0), ("d", 0.1, 9.0), ("d", 0.3, 1.0)] {
+            let mut fit = record(s, error);
+            if s == 1.0 {
+                fit.brdf = fit.brdf.with_model(crate::brdf::MODELS[0]);
+            }
+            library.keep_fit(name.as_ref(), fit);
+        }
+        let mut order = |key, descending| {
+            library.sort = Sort { key, descending };
+            library.visible()
+        };
+        assert_eq!(order(SortKey::Name, true), [3, 2, 1, 0]);
+        assert_eq!(order(SortKey::Error, false), [3, 1, 0, 2]);
+        assert_eq!(order(SortKey::Error, true), [1, 3, 0, 2]);
+        // Of two fits the better one counts.
+        assert_eq!(order(SortKey::Exponent, false), [1, 3, 0, 2]);
+        assert_eq!(order(SortKey::Width, false), [0, 1, 2, 3]);
+    }
+}

@@ -1,0 +1,208 @@
+//! The library: a folder of files, what is known of each, and which tables are in memory.
+//!
+//! ```text
+//! a folder is opened ──▶ Scan ── a thread (scan.rs): names, then kinds, then every file read once ──▶ Folder.files
+//! click, arrows ──▶ Show ── a Pending and Task::Load; the newest wins ──▶ Msg::Loaded ──▶ the preview is replaced
+//! fit all ──▶ FitFolder ── a thread (fit_work.rs): file by file ──▶ Library.fits, by path
+//! after every message: memory::keep ── tables over the limit go, those that are shown come back
+//! ```
+//!
+//! A file that is stepped to is a *preview*: the next one takes its place, unless a person changed its model, fits it,
+//! shows it beside others or keeps it (Enter, double click).
+//!
+//! [`Material::table`] is let go when it was not shown for the longest time and the limit says so; a table without
+//! values stands in for it ([`Presence`]). What is about to be shown is loaded first: until it is there, the last
+//! picture stays. Undo and closing change the scene at once, and the data follow.
+//!
+//! Opening a file and a fit of the shown material go first: while there is either, the threads here wait.
+#[cfg(test)]
+pub(crate) mod fixtures;
+pub mod folder_run;
+pub mod listing;
+
+use crate::app::state::job::CancelFlag;
+use crate::app::state::job::Hold;
+use crate::app::state::library::folder_run::FolderRun;
+use crate::app::state::library::listing::Sort;
+use crate::app::state::material::MaterialId;
+use crate::brdf::Brdf;
+use crate::files;
+use crate::files::fits::{FitRecord, MaterialFits};
+use std::collections::BTreeMap;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// Everything about the open folder and about memory.
+#[derive(Debug, Default)]
+pub struct Library {
+    /// The open folder.
+    pub folder: Option<Folder>,
+    /// Words that the names must have.
+    pub search: String,
+    /// Order of the files.
+    pub sort: Sort,
+    /// The file that was asked for last: arrows go on from here. None while they step through the open materials.
+    pub cursor: Option<PathBuf>,
+    /// Counts the steps by keys, so that the list scrolls to the cursor once for each.
+    pub reveal: u64,
+    /// What is shown as soon as it is loaded.
+    pub pending: Option<Pending>,
+    /// The material that the next file replaces.
+    pub preview: Option<Preview>,
+    /// Fits of files, at most one per file and variant: made here or found in fit files of the folder.
+    pub fits: BTreeMap<PathBuf, Vec<FitRecord>>,
+    /// The fit of the whole folder.
+    pub run: Option<FolderRun>,
+    /// Counts messages: the time of [`Material::last_shown`].
+    pub clock: u64,
+    /// Makes the scan wait while something is opened.
+    pub hold: Hold,
+}
+
+/// A folder whose files are listed. Its scan ends with it.
+#[derive(Debug)]
+pub struct Folder {
+    /// Tells its scan from older ones.
+    pub number: u64,
+    /// Where it is, from the root on.
+    pub path: PathBuf,
+    /// Its files in natural order.
+    pub files: Vec<FolderFile>,
+    /// How far the scan is.
+    pub scan: Scan,
+    /// Set to end the scan.
+    pub cancel: CancelFlag,
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        self.cancel.set();
+    }
+}
+
+/// How far a folder has been looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scan {
+    /// Names are being read.
+    Listing,
+    /// Files are being looked at.
+    Looking,
+    /// All is known.
+    Done,
+}
+
+/// A file of the folder.
+#[derive(Debug)]
+pub struct FolderFile {
+    /// From the root on.
+    pub path: PathBuf,
+    /// Its name in one line.
+    pub name: String,
+    /// What it is.
+    pub kind: Kind,
+}
+
+/// What a file of the folder is.
+#[derive(Clone, Debug)]
+pub enum Kind {
+    /// Not looked at yet.
+    Unknown,
+    /// A measured material; what is in it, once it has been read.
+    Measured(Option<Examined>),
+    /// Models as JSON: how many materials they are of.
+    Models(usize),
+    /// No BRDF, and why.
+    Other(String),
+}
+
+/// What reading a measured file has brought.
+#[derive(Clone, Debug)]
+pub struct Examined {
+    /// Share of the cells that are valid, in [0, 1].
+    pub valid_share: f64,
+    /// See [`crate::measured::Table::highlight_half_width`].
+    pub half_width: Option<f64>,
+    /// The colour of the material as sRGB.
+    pub color: [u8; 3],
+    /// A small sphere.
+    pub thumbnail: Thumbnail,
+}
+
+/// A small picture on the GPU.
+#[derive(Clone)]
+pub struct Thumbnail(pub egui::TextureHandle);
+
+impl fmt::Debug for Thumbnail {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Thumbnail({:?})", self.0.size())
+    }
+}
+
+/// What is shown as soon as it is loaded.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pending {
+    /// The job that loads it.
+    pub job: u64,
+    /// Its name on screen.
+    pub name: String,
+    /// What it is.
+    pub target: Target,
+}
+
+/// What is to be shown.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Target {
+    /// A file of the folder; whether it is more than a preview.
+    File {
+        /// From the root on.
+        path: PathBuf,
+        /// Whether the next one leaves it open.
+        keep: bool,
+    },
+    /// An open material whose table was let go.
+    Material(MaterialId),
+}
+
+/// A material that the next file replaces as long as its model is as it was opened.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Preview {
+    /// Which one.
+    pub id: MaterialId,
+    /// Its model when it was opened.
+    pub brdf: Brdf,
+}
+
+impl Library {
+    /// The best fit of a file: the one with the smallest E.
+    pub fn best_fit(&self, path: &Path) -> Option<&FitRecord> {
+        let fits = self.fits.get(path)?;
+        fits.iter()
+            .min_by(|a, b| a.errors.total.total_cmp(&b.errors.total))
+    }
+
+    /// Keeps a fit of a file in place of the one of the same variant.
+    pub(crate) fn keep_fit(&mut self, path: &Path, fit: FitRecord) {
+        let fits = self.fits.entry(path.to_owned()).or_default();
+        let variant = |fit: &FitRecord| crate::fit::Variant::from(&fit.brdf);
+        match fits.iter_mut().find(|kept| variant(kept) == variant(&fit)) {
+            // It comes back from a material that was opened with it.
+            Some(kept)
+                if (kept.brdf, kept.errors, kept.ended) == (fit.brdf, fit.errors, fit.ended) => {}
+            Some(kept) => *kept = fit,
+            None => fits.push(fit),
+        }
+    }
+
+    /// The fits of all files of the folder, in the order of the files.
+    pub fn folder_fits(&self) -> impl Iterator<Item = &FitRecord> {
+        let files = self.folder.iter().flat_map(|folder| &folder.files);
+        files.filter_map(|file| self.fits.get(&file.path)).flatten()
+    }
+
+    /// The fits of a file as a fit file would bring them.
+    pub fn fits_for(&self, path: &Path) -> Option<Box<MaterialFits>> {
+        let records = self.fits.get(path)?;
+        let source = records.first()?.source.clone();
+        MaterialFits::of_records(files::material_name(path), source, path, records).map(Box::new)
+    }
+}

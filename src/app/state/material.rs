@@ -1,0 +1,96 @@
+//! Materials: measured data with the models laid over them.
+
+use crate::app::state::fitting::kept::KeptFit;
+use crate::brdf::Brdf;
+use crate::files;
+use crate::files::SourceFile;
+use crate::fit::Variant;
+use crate::measured::Table;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// Number of an opened material, never used twice in a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct MaterialId(pub u64);
+
+/// Where a material comes from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// A file.
+    File(PathBuf),
+    /// A row of [`crate::measured::samples::SAMPLES`], by position.
+    Sample(usize),
+}
+
+/// A measured material in memory.
+#[derive(Clone, Debug)]
+pub struct Material {
+    /// Name on screen.
+    pub name: String,
+    /// File or sample.
+    pub origin: Origin,
+    /// Which file it was and what was in it; `None` for a sample and for a model without data.
+    pub source: Option<SourceFile>,
+    /// The data; a table without values where they are not in memory.
+    pub table: Arc<Table>,
+    /// Whether `table` is the data.
+    pub presence: Presence,
+    /// When it was shown last, by [`Library::clock`].
+    pub last_shown: u64,
+    /// The first guess of a model over it, made when it was loaded.
+    pub guess: Brdf,
+    /// Its fits, at most one per variant.
+    pub fits: Vec<KeptFit>,
+}
+
+impl Material {
+    /// The kept fit of a variant.
+    pub fn fit(&self, variant: Variant) -> Option<&KeptFit> {
+        self.fits.iter().find(|kept| kept.variant() == variant)
+    }
+
+    /// The same, to be changed.
+    pub fn fit_mut(&mut self, variant: Variant) -> Option<&mut KeptFit> {
+        self.fits.iter_mut().find(|kept| kept.variant() == variant)
+    }
+}
+
+/// An open material: the model over it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Opened {
+    /// Which material.
+    pub id: MaterialId,
+    /// The model that is drawn over it.
+    pub brdf: Brdf,
+    /// Whether the plots show it beside the shown one.
+    pub beside: bool,
+}
+
+/// Whether the table of a material is in memory.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Presence {
+    /// It is.
+    #[default]
+    Loaded,
+    /// It was let go, and is read again when the material is shown.
+    Evicted,
+    /// This job reads it.
+    Loading(u64),
+    /// It cannot be read again.
+    Missing,
+}
+
+impl Material {
+    /// The measured file it was read from, from the root on.
+    pub fn file(&self) -> Option<PathBuf> {
+        match &self.origin {
+            Origin::File(path) if self.source.is_some() => Some(files::absolute(path)),
+            _ => None,
+        }
+    }
+
+    /// Whether its data are on their way.
+    pub fn is_loading(&self) -> bool {
+        matches!(self.presence, Presence::Loading(_) | Presence::Evicted)
+    }
+}

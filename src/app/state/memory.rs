@@ -1,0 +1,126 @@
+//! Which tables are in memory: the least recently shown ones go where they take more than the limit.
+
+use crate::app::state::State;
+use crate::app::state::material::MaterialId;
+use crate::measured::{Grid, Table};
+use std::sync::Arc;
+
+/// Bytes of a MiB.
+pub const MIB: u64 = 1 << 20;
+
+/// A table in memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Held {
+    /// Of which material.
+    pub id: MaterialId,
+    /// What it takes.
+    pub bytes: u64,
+    /// Whether it must stay.
+    pub shown: bool,
+    /// When it was shown last.
+    pub last_shown: u64,
+}
+
+/// The tables to let go so that the rest and `coming` bytes more are within `limit`: those not shown for the longest
+/// time first, never one that is shown.
+pub fn to_evict(held: &[Held], coming: u64, limit: u64) -> Vec<MaterialId> {
+    let mut total: u64 = coming + held.iter().map(|held| held.bytes).sum::<u64>();
+    let mut others: Vec<&Held> = held.iter().filter(|held| !held.shown).collect();
+    others.sort_by_key(|held| (held.last_shown, held.id));
+    let mut gone = Vec::new();
+    for held in others {
+        if total <= limit {
+            break;
+        }
+        total -= held.bytes;
+        gone.push(held.id);
+    }
+    gone
+}
+
+/// What a table takes; nothing for the one that stands in where there are no data.
+pub fn bytes(table: &Arc<Table>) -> u64 {
+    if table.valid_count() == 0 {
+        return 0;
+    }
+    cell_bytes(table.grid())
+}
+
+pub(crate) fn cell_bytes(grid: Grid) -> u64 {
+    (grid.len() * size_of::<[f32; 3]>()) as u64
+}
+
+/// What all tables of the state take.
+pub fn total(state: &State) -> u64 {
+    let tables = state.materials.values().map(|material| &material.table);
+    tables.map(bytes).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Materials of 10 bytes, number k shown last at time k.
+    fn held(count: u64, shown: &[u64]) -> Vec<Held> {
+        (0..count)
+            .map(|k| Held {
+                id: MaterialId(k),
+                bytes: 10,
+                shown: shown.contains(&k),
+                last_shown: k,
+            })
+            .collect()
+    }
+
+    fn ids(ids: &[u64]) -> Vec<MaterialId> {
+        ids.iter().map(|id| MaterialId(*id)).collect()
+    }
+
+    #[test]
+    fn the_least_recently_shown_go_first_and_the_shown_stay() {
+        assert_eq!(to_evict(&held(4, &[3]), 0, 40), ids(&[]));
+        assert_eq!(to_evict(&held(4, &[3]), 0, 39), ids(&[0]));
+        assert_eq!(to_evict(&held(4, &[3]), 10, 30), ids(&[0, 1]));
+        assert_eq!(to_evict(&held(4, &[0, 3]), 0, 25), ids(&[1, 2]));
+        assert_eq!(to_evict(&held(4, &[0, 1, 2, 3]), 0, 0), ids(&[]));
+        let mut newer = held(3, &[]);
+        newer[0].last_shown = 9;
+        assert_eq!(to_evict(&newer, 0, 25), ids(&[1]));
+    }
+
+    /// The most bytes ever held while 50 materials are shown one after the other, with this way to choose.
+    fn most_held(limit: u64, evict: impl Fn(&[Held], u64, u64) -> Vec<MaterialId>) -> u64 {
+        let mut all: Vec<Held> = Vec::new();
+        let mut most = 0;
+        for k in 0..50 {
+            for held in &mut all {
+                held.shown = false;
+            }
+            let gone = evict(&all, 10, limit);
+            all.retain(|held| !gone.contains(&held.id));
+            all.push(Held {
+                id: MaterialId(k),
+                bytes: 10,
+                shown: true,
+                last_shown: k,
+            });
+            most = most.max(all.iter().map(|held| held.bytes).sum());
+        }
+        most
+    }
+
+    #[test]
+    fn memory_never_passes_the_limit_but_for_the_shown_one() {
+        for limit in [0, 5, 10, 35, 100, 1000] {
+            let most = most_held(limit, to_evict);
+            assert!(most <= limit.max(10), "{most} of {limit}");
+            assert!(
+                most + 10 > limit.min(500),
+                "all room is used: {most} of {limit}"
+            );
+        }
+        // Planted: what is coming is not counted.
+        let forgetful = |held: &[Held], _: u64, limit: u64| to_evict(held, 0, limit);
+        assert!(most_held(30, forgetful) > 30);
+    }
+}

@@ -1,0 +1,199 @@
+//! Everything the window shows, as plain data. It changes in [`crate::app::reduce::apply`] only.
+pub mod cache;
+pub mod figure;
+pub mod fits;
+pub mod fitting;
+pub mod folder_fit;
+pub mod history;
+pub mod job;
+pub mod layout;
+pub mod layout_check;
+pub mod lesson;
+pub mod library;
+pub mod library_queries;
+pub mod loading;
+pub mod material;
+pub mod meant_view;
+pub mod memory;
+pub mod missing;
+pub mod notice;
+pub mod prefs;
+pub mod probe;
+pub mod session;
+pub mod shared_table;
+pub mod subject_key;
+pub mod subjects;
+pub mod values;
+pub mod views;
+
+use crate::app::state::cache::Caches;
+use crate::app::state::figure::Views;
+use crate::app::state::fitting::FitState;
+use crate::app::state::history::History;
+use crate::app::state::job::Job;
+use crate::app::state::layout::Tiles;
+use crate::app::state::lesson::LessonAt;
+use crate::app::state::library::Library;
+use crate::app::state::material::Material;
+use crate::app::state::material::MaterialId;
+use crate::app::state::material::Opened;
+use crate::app::state::notice::Dialog;
+use crate::app::state::notice::Notice;
+use crate::app::state::prefs::Prefs;
+use crate::app::state::probe::Probe;
+use crate::app::state::session::SessionState;
+use crate::app::state::subject_key::SubjectKey;
+use crate::app::views::albedo::settings::AlbedoView;
+use crate::app::views::error_map::settings::ErrorMapView;
+use crate::app::views::image::settings::ImageView;
+use crate::app::views::landscape::settings::LandscapeView;
+use crate::app::views::lobes::settings::LobeTile;
+use crate::app::views::scatter::settings::ScatterView;
+use crate::app::views::slices::settings::SlicesView;
+use crate::app::views::sphere::settings::Show;
+use crate::app::views::sphere::settings::SphereTile;
+use crate::app::views::sphere::sight::Sight;
+use crate::brdf::ParamId;
+use crate::figure::Channel;
+use crate::figure::page::Lobe3dSpec as Lobe3dView;
+use crate::figure::scale::RadialScale;
+use crate::geom::sphere::SphereView;
+use crate::measured::lookup::Lookup;
+use std::collections::BTreeMap;
+
+/// The part of the state that undo brings back.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Which session it belongs to: a number in [`SessionState::files`], 0 at first.
+    pub session: u64,
+    /// Open materials in the order of the library.
+    pub opened: Vec<Opened>,
+    /// Position of the shown one in `opened`.
+    pub selected: usize,
+    /// Whether the three channels of a colour parameter move as one: ρ_d, k_s.
+    pub grey: [bool; 2],
+    /// What the plots do not show, though its name is in their legends.
+    pub hidden: Vec<SubjectKey>,
+    /// Interpolation of the table in all views.
+    pub lookup: Lookup,
+    /// The sphere.
+    pub sphere: SphereTile,
+    /// The polar lobes.
+    pub lobes: LobeTile,
+    /// The slices.
+    pub slices: SlicesView,
+    /// The albedo.
+    pub albedo: AlbedoView,
+    /// The lobes in space.
+    pub lobe3d: Lobe3dView,
+    /// The image slice.
+    pub image: ImageView,
+    /// The error map.
+    pub error_map: ErrorMapView,
+    /// The error landscape.
+    pub landscape: LandscapeView,
+    /// The scatter of the materials.
+    pub scatter: ScatterView,
+}
+
+impl Default for Scene {
+    fn default() -> Self {
+        Self {
+            session: 0,
+            opened: Vec::new(),
+            selected: 0,
+            grey: [false; 2],
+            hidden: Vec::new(),
+            lookup: Lookup::Smooth,
+            sphere: SphereTile {
+                view: SphereView::default(),
+                show: Show::Split,
+                split: 0.0,
+                sight: Sight::default(),
+            },
+            lobes: LobeTile {
+                theta_i: [30.0, 60.0, 80.0].map(f64::to_radians).to_vec(),
+                active: 1,
+                scale: RadialScale::CubeRoot,
+                with_cosine: false,
+                channel: Channel::Luminance,
+                limits: None,
+            },
+            slices: SlicesView::default(),
+            albedo: AlbedoView::default(),
+            lobe3d: Lobe3dView::default(),
+            image: ImageView::default(),
+            error_map: ErrorMapView::default(),
+            landscape: LandscapeView::default(),
+            scatter: ScatterView::default(),
+        }
+    }
+}
+
+impl Scene {
+    /// Position of a colour parameter in `grey`.
+    pub fn grey_index(id: ParamId) -> Option<usize> {
+        match id {
+            ParamId::RhoD => Some(0),
+            ParamId::KS => Some(1),
+            _ => None,
+        }
+    }
+}
+
+/// The whole state.
+#[derive(Debug, Default)]
+pub struct State {
+    /// What undo brings back.
+    pub scene: Scene,
+    /// The steps.
+    pub history: History<Scene>,
+    /// Data of every material that the scene or its history names.
+    pub materials: BTreeMap<MaterialId, Material>,
+    /// The tiles and where they are.
+    pub tiles: Tiles,
+    /// What views show and cannot compute within a frame.
+    pub caches: Caches,
+    /// Fits asked for and under way.
+    pub fit: FitState,
+    /// The open folder, and what is in memory.
+    pub library: Library,
+    /// Session files, and what is asked about them.
+    pub session: SessionState,
+    /// The pair of directions under the pointer.
+    pub hovered: Option<Probe>,
+    /// The pair of directions that stays marked wherever the pointer goes.
+    pub pinned: Option<Probe>,
+    /// The views that commands and figures are about.
+    pub views: Views,
+    /// Where a learner is.
+    pub lesson: Option<LessonAt>,
+    /// Jobs under way, the oldest first.
+    pub jobs: Vec<Job>,
+    /// Notices, the oldest first.
+    pub notices: Vec<Notice>,
+    /// The open dialog.
+    pub dialog: Option<Dialog>,
+    /// What is typed in the open dialog: words of a command, or a path.
+    pub typed: String,
+    /// What is kept between runs.
+    pub prefs: Prefs,
+    /// Source of numbers for materials, jobs and notices.
+    pub next_id: u64,
+}
+
+impl State {
+    /// A number not used before in this run.
+    pub fn fresh_id(&mut self) -> u64 {
+        self.next_id += 1;
+        self.next_id
+    }
+
+    /// The shown material and the model over it: while a fit of it runs, the best so far.
+    pub fn current(&self) -> Option<(&Material, &Opened)> {
+        let opened = self.scene.opened.get(self.scene.selected)?;
+        let live = self.fit.run.as_ref().and_then(|run| run.live.as_ref());
+        let opened = live.filter(|live| live.id == opened.id).unwrap_or(opened);
+        Some((self.materials.get(&opened.id)?, opened))
+    }
+}

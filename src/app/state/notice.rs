@@ -1,0 +1,36 @@
+//! Notices in the corner of the window, and the dialogs over it.
+
+/// How bad a notice is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// Good to know.
+    Info,
+    /// Something did not work.
+    Error,
+}
+
+/// A sentence in the corner of the window, until it is closed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Notice {
+    /// Its number.
+    pub id: u64,
+    /// How bad.
+    pub level: Level,
+    /// One line.
+    pub text: String,
+}
+
+/// A window over the window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dialog {
+    /// All commands, to be searched.
+    Palette,
+    /// A path to open, typed.
+    OpenPath,
+    /// A figure to export.
+    Figure,
+    /// Angles, vectors, units.
+    Conventions,
+    /// Version and graphics adapter.
+    About,
+}

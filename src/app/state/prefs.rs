@@ -1,0 +1,63 @@
+//! What is kept between runs.
+
+use crate::app::state::figure::FigurePrefs;
+use serde::{Deserialize, Serialize};
+use std::collections::VecDeque;
+use std::path::PathBuf;
+
+/// What is kept between runs.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Prefs {
+    /// Files opened lately, the last first.
+    pub recent: VecDeque<PathBuf>,
+    /// Light, dark, or as the system.
+    pub theme: Theme,
+    /// The folder that was open last.
+    pub folder: Option<PathBuf>,
+    /// How figures look.
+    pub figure: FigurePrefs,
+    /// How much memory tables may take.
+    pub memory: MemoryLimit,
+}
+
+/// How much memory tables may take, in MiB.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct MemoryLimit(pub u32);
+
+impl Default for MemoryLimit {
+    fn default() -> Self {
+        Self(512)
+    }
+}
+
+impl MemoryLimit {
+    /// The same in bytes.
+    pub fn bytes(self) -> u64 {
+        u64::from(self.0) * crate::app::state::memory::MIB
+    }
+}
+
+/// How many recent files are kept.
+const RECENT: usize = 10;
+
+impl Prefs {
+    /// Puts a file at the front of the recent ones.
+    pub fn remember(&mut self, path: PathBuf) {
+        self.recent.retain(|other| *other != path);
+        self.recent.push_front(path);
+        self.recent.truncate(RECENT);
+    }
+}
+
+/// The look of the window.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Theme {
+    /// As the system says.
+    #[default]
+    System,
+    /// Light.
+    Light,
+    /// Dark.
+    Dark,
+}

@@ -1,0 +1,152 @@
+//! The rows of the table: kept fits and the run under way, ordered.
+
+use crate::app::state::State;
+use crate::app::state::fitting::kept::KeptFit;
+use crate::app::state::fitting::kept::SortBy;
+use crate::app::state::fitting::run::Part;
+use crate::app::state::fitting::run::Run;
+use crate::brdf::Brdf;
+use crate::fit::Variant;
+
+/// A row.
+pub struct Row<'a> {
+    /// What was or is fitted.
+    pub variant: Variant,
+    /// The fit that is kept, if one is.
+    pub kept: Option<&'a KeptFit>,
+    /// The numbers shown.
+    pub brdf: Option<Brdf>,
+    /// E over all cells.
+    pub error: Option<f64>,
+    /// E over the grazing cells.
+    pub grazing: Option<f64>,
+    /// How long it took.
+    pub seconds: Option<f64>,
+    /// What stands beside its name.
+    pub mark: Mark,
+    /// Whether the sliders stand where it ended.
+    pub shown: bool,
+}
+
+/// What is to be said of a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// Nothing.
+    None,
+    /// The smallest E of those that were asked the same.
+    Best,
+    /// Being fitted.
+    Fitting,
+    /// To be fitted.
+    Waiting,
+    /// Made with other settings than those set now.
+    Stale,
+    /// Stopped before its end.
+    Cancelled,
+}
+
+impl Mark {
+    /// Its word.
+    pub fn text(self) -> Option<&'static str> {
+        match self {
+            Self::None => None,
+            Self::Best => Some("best"),
+            Self::Fitting => Some("fitting"),
+            Self::Waiting => Some("waiting"),
+            Self::Stale => Some("other settings"),
+            Self::Cancelled => Some("cancelled"),
+        }
+    }
+}
+
+/// The rows of the shown material, in order.
+pub fn rows(state: &State) -> Vec<Row<'_>> {
+    let Some((material, opened)) = state.current() else {
+        return Vec::new();
+    };
+    let mut rows: Vec<Row> = material
+        .fits
+        .iter()
+        .map(|kept| of_kept(state, kept, &opened.brdf))
+        .collect();
+    if let Some(run) = state.current_run() {
+        for (position, part) in run.parts.iter().enumerate() {
+            let row = of_part(run, position, part);
+            match rows.iter_mut().find(|other| other.variant == part.variant) {
+                Some(other) if row.error.is_none() => other.mark = row.mark,
+                Some(other) => {
+                    *other = Row {
+                        kept: other.kept,
+                        ..row
+                    };
+                }
+                None => rows.push(row),
+            }
+        }
+    }
+    mark_best(&mut rows);
+    let by_name = |row: &Row| (row.variant.fresnel.index(), row.variant.model.index());
+    rows.sort_by_key(by_name);
+    let key = |row: &Row| match state.fit.sort {
+        SortBy::Name => 0.0,
+        SortBy::Error => row.error.unwrap_or(f64::INFINITY),
+        SortBy::Grazing => row.grazing.unwrap_or(f64::INFINITY),
+    };
+    rows.sort_by(|a, b| key(a).total_cmp(&key(b)));
+    rows
+}
+
+fn of_kept<'a>(state: &State, kept: &'a KeptFit, shown: &Brdf) -> Row<'a> {
+    let outcome = &kept.outcome;
+    Row {
+        variant: kept.variant(),
+        kept: Some(kept),
+        brdf: Some(outcome.brdf),
+        error: Some(outcome.errors.total),
+        grazing: outcome.errors.grazing,
+        seconds: kept.seconds,
+        mark: if state.is_stale(kept) {
+            Mark::Stale
+        } else if kept.is_cancelled() {
+            Mark::Cancelled
+        } else {
+            Mark::None
+        },
+        shown: outcome.brdf == *shown,
+    }
+}
+
+fn of_part<'a>(run: &Run, position: usize, part: &Part) -> Row<'a> {
+    let best = part.best();
+    Row {
+        variant: part.variant,
+        kept: None,
+        brdf: best.map(|best| best.brdf),
+        error: best.map(|best| best.error),
+        grazing: None,
+        seconds: None,
+        mark: if position == run.at && !run.stopping {
+            Mark::Fitting
+        } else if best.is_some() || run.stopping {
+            Mark::None
+        } else {
+            Mark::Waiting
+        },
+        shown: false,
+    }
+}
+
+/// The best of those that were asked the same; of one alone it says nothing.
+fn mark_best(rows: &mut [Row]) {
+    let mut comparable: Vec<&mut Row> = rows
+        .iter_mut()
+        .filter(|row| row.kept.is_some() && row.mark == Mark::None && row.error.is_some())
+        .collect();
+    if comparable.len() < 2 {
+        return;
+    }
+    comparable.sort_by(|a, b| a.error.unwrap_or(1e9).total_cmp(&b.error.unwrap_or(1e9)));
+    if let Some(best) = comparable.first_mut() {
+        best.mark = Mark::Best;
+    }
+}

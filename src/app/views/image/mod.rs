@@ -1,0 +1,236 @@
+//! The image slice: data, model, residual or ratio over θh and θd.
+
+pub mod settings;
+
+use crate::app::msg::Msg;
+use crate::app::state::State;
+use crate::app::state::probe::Probe;
+use crate::app::views::image::settings::ImageView;
+use crate::app::widgets::controls;
+use crate::app::widgets::formula::number;
+use crate::app::widgets::heat::OnScreen;
+use crate::app::widgets::heat::heat_ui;
+use crate::app::widgets::paint::plain;
+use crate::app::widgets::probe;
+use crate::figure::heatmap::{Cell, Field};
+use crate::figure::image_slice::{ImageSpec, SHOWN, Shown};
+use crate::figure::scale::RADIAL_SCALES;
+use crate::figure::subject::Source;
+use crate::geom::HalfDiff;
+use std::sync::Arc;
+
+/// Draws the tile.
+pub fn image_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
+    let view = &state.scene.image;
+    toolbar_ui(ui, view, out);
+    let spec = view.spec(state.probe());
+    let sources = Sources::of(state);
+    let fields = fields(ui, &spec, &sources);
+    let name = state.current().map_or("", |(material, _)| &material.name);
+    let heat = spec.heat_spec(name, &fields.shown, &fields.reference);
+    let on_screen = heat_ui(ui, "Image slice", &heat, &fields.shown, false);
+    if let Some(moved) = on_screen.moved_view(ui, view.view) {
+        out.push(set(view, |view| view.view = moved));
+    }
+    interact(&on_screen, state, &spec, &sources, out);
+    on_screen.response.contains_pointer()
+}
+
+fn set(view: &ImageView, change: impl FnOnce(&mut ImageView)) -> Msg {
+    let mut view = view.clone();
+    change(&mut view);
+    Msg::SetImage(view)
+}
+
+fn toolbar_ui(ui: &mut egui::Ui, view: &ImageView, out: &mut Vec<Msg>) {
+    ui.horizontal_wrapped(|ui| {
+        for shown in SHOWN {
+            let response = ui.selectable_label(view.shown == shown, shown.name());
+            if response.on_hover_text(help(shown)).clicked() {
+                out.push(set(view, |view| view.shown = shown));
+            }
+        }
+        ui.separator();
+        let hint = "Azimuth of the light around the half vector; 90° shows the usual picture";
+        // Together where the line breaks.
+        let phi_d = ui.horizontal(|ui| {
+            controls::symbol_ui(ui, "φ_{d}");
+            controls::angle_ui(ui, "phi_d", hint, view.phi_d, 0.0..=180.0)
+        });
+        if let Some(phi_d) = phi_d.inner {
+            out.push(set(view, |view| view.phi_d = phi_d));
+        }
+        let mut root = view.root;
+        let hint = "Spread θh by its square root, so that all cells are of one size";
+        if ui.checkbox(&mut root, "√θh").on_hover_text(hint).changed() {
+            out.push(set(view, |view| view.root = root));
+        }
+        ui.separator();
+        if view.shown != Shown::Ratio {
+            let scales = RADIAL_SCALES.map(|scale| (scale, scale.name()));
+            if let Some(scale) = controls::choice_ui(ui, "Colour scale", view.scale, &scales) {
+                out.push(set(view, |view| view.scale = scale));
+            }
+        }
+        if let Some(channel) = controls::channel_ui(ui, view.channel) {
+            out.push(set(view, |view| view.channel = channel));
+        }
+        let mut with_cosine = view.with_cosine;
+        let hint = "Multiply by the cosine of the angle of incidence";
+        let response = ui.checkbox(&mut with_cosine, "× cos θi");
+        if response.on_hover_text(hint).changed() {
+            out.push(set(view, |view| view.with_cosine = with_cosine));
+        }
+    });
+}
+
+fn help(shown: Shown) -> &'static str {
+    match shown {
+        Shown::Measured => "The data, cell by cell",
+        Shown::Model => "The model, with the colours of the data",
+        Shown::Residual => "Model − measured: blue where the model is too dark",
+        Shown::Ratio => "Model / measured: blue where the model is too dark",
+    }
+}
+
+/// Data and model of the shown material.
+#[derive(Clone, PartialEq)]
+struct Sources {
+    measured: Option<Source>,
+    model: Option<Source>,
+}
+
+impl Sources {
+    fn of(state: &State) -> Self {
+        let Some((material, opened)) = state.current() else {
+            return Self {
+                measured: None,
+                model: None,
+            };
+        };
+        let lookup = state.scene.lookup;
+        let has_data = material.table.valid_count() > 0;
+        Self {
+            measured: has_data.then(|| Source::Measured(material.table.clone(), lookup)),
+            model: Some(Source::Model(opened.brdf)),
+        }
+    }
+
+    fn cell(&self, spec: &ImageSpec, angles: HalfDiff) -> Cell {
+        spec.cell(self.measured.as_ref(), self.model.as_ref(), angles)
+    }
+}
+
+/// The cells that are shown, and those that the colours are made for.
+struct Fields {
+    of: (ImageSpec, Sources),
+    shown: Field,
+    reference: Field,
+}
+
+/// The fields from the frame before, where they are still the same.
+fn fields(ui: &egui::Ui, spec: &ImageSpec, sources: &Sources) -> Arc<Fields> {
+    let id = ui.scope_id().with("fields");
+    let mut of = (
+        ImageSpec {
+            probe: None,
+            view: Default::default(),
+            ..spec.clone()
+        },
+        sources.clone(),
+    );
+    if spec.shown == Shown::Measured && sources.measured.is_some() {
+        // The sliders move nothing then.
+        of.1.model = None;
+    }
+    let kept = ui.data(|data| data.get_temp::<Arc<Fields>>(id));
+    if let Some(kept) = kept.filter(|kept| kept.of == of) {
+        return kept;
+    }
+    let field = |shown, sources: &Sources| {
+        let spec = ImageSpec {
+            shown,
+            ..spec.clone()
+        };
+        spec.field(sources.measured.as_ref(), sources.model.as_ref())
+    };
+    let shown = field(spec.shown, sources);
+    let reference = match (spec.shown, &sources.measured) {
+        (Shown::Model, Some(_)) => field(Shown::Measured, sources),
+        _ => shown.clone(),
+    };
+    let fields = Arc::new(Fields {
+        of,
+        shown,
+        reference,
+    });
+    ui.data_mut(|data| data.insert_temp(id, Arc::clone(&fields)));
+    fields
+}
+
+fn interact(
+    on_screen: &OnScreen,
+    state: &State,
+    spec: &ImageSpec,
+    sources: &Sources,
+    out: &mut Vec<Msg>,
+) {
+    let angles_at = |[theta_h, theta_d]: [f64; 2]| HalfDiff {
+        theta_h: theta_h.to_radians(),
+        theta_d: theta_d.to_radians(),
+        phi_d: spec.phi_d,
+    };
+    let at = on_screen.clicked().map(angles_at);
+    if let Some((angles, probe)) = at.and_then(|at| Some((at, Probe::from_angles(at)?))) {
+        clicked(state, probe, angles, out);
+    }
+    if !on_screen.response.hovered() {
+        return;
+    }
+    let under = on_screen.hovered().map(angles_at);
+    probe::hover(state, under.and_then(Probe::from_angles), out);
+    if let Some(angles) = under {
+        tooltip(on_screen, spec, sources, angles);
+    }
+}
+
+/// A click on a cell pins it and lays the slices over θh, θd and φd through it.
+fn clicked(state: &State, probe: Probe, angles: HalfDiff, out: &mut Vec<Msg>) {
+    probe::pin(state, probe, out);
+    let mut slices = state.scene.slices.clone();
+    (slices.spec.theta_h, slices.spec.theta_d) = (angles.theta_h, angles.theta_d);
+    slices.spec.phi_d = angles.phi_d;
+    if slices != state.scene.slices {
+        out.push(Msg::SetSlices(slices));
+    }
+}
+
+fn tooltip(on_screen: &OnScreen, spec: &ImageSpec, sources: &Sources, at: HalfDiff) {
+    // Of the cell, not of the place in it.
+    let grid = crate::measured::Grid::FOLDED;
+    let (theta_h, theta_d, _) = grid.bins_of(at);
+    let cell = spec.angles(theta_h, theta_d);
+    let value = |shown| {
+        let spec = ImageSpec {
+            shown,
+            ..spec.clone()
+        };
+        sources.cell(&spec, cell)
+    };
+    on_screen.response.clone().on_hover_ui_at_pointer(|ui| {
+        let (h, d) = (at.theta_h.to_degrees(), at.theta_d.to_degrees());
+        ui.label(format!("θh {h:.1}°, θd {d:.1}°, {}", spec.channel.name()));
+        for (shown, name) in [
+            (Shown::Measured, "measured"),
+            (Shown::Model, "model"),
+            (Shown::Ratio, "ratio"),
+        ] {
+            match value(shown) {
+                Cell::Value(value) => ui.label(format!("{name} {}", plain(&number(value)))),
+                Cell::Missing if shown == Shown::Measured => ui.label("not measured"),
+                Cell::Outside if shown == Shown::Measured => ui.label("below the horizon"),
+                Cell::Missing | Cell::Outside => continue,
+            };
+        }
+    });
+}

@@ -1,0 +1,159 @@
+//! The error landscape: the best E over (s, α), and the way of a fit over it.
+pub mod settings;
+
+use crate::app::msg::Msg;
+use crate::app::msg::cache::again;
+use crate::app::msg::cache::request;
+use crate::app::msg::cache::stop;
+use crate::app::panels::dialogs;
+use crate::app::state::State;
+use crate::app::views::landscape::settings::LandscapeQuery;
+use crate::app::views::landscape::settings::LandscapeView;
+use crate::app::views::landscape::settings::path;
+use crate::app::views::landscape::settings::place;
+use crate::app::widgets::formula::number;
+use crate::app::widgets::heat::OnScreen;
+use crate::app::widgets::heat::heat_ui;
+use crate::app::widgets::paint::plain;
+use crate::brdf::Fresnel;
+use crate::export::made::terrain;
+use crate::figure::heatmap::View;
+use crate::figure::landscape::{LandscapeSpec, Terrain};
+use crate::fit::landscape::{Eta, Landscape};
+
+/// Draws the tile.
+pub fn landscape_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
+    let view = &state.scene.landscape;
+    let empty = |ui: &mut egui::Ui, text: &str| {
+        dialogs::empty_ui(ui, ui.available_rect_before_wrap(), text);
+        false
+    };
+    let query = LandscapeQuery::of(state);
+    let has_data = |(material, _): (&crate::app::state::material::Material, _)| {
+        material.table.valid_count() > 0
+    };
+    let query = query.filter(|_| state.current().is_some_and(has_data));
+    toolbar_ui(ui, state, view, query.as_ref(), out);
+    let (Some(query), Some((material, opened))) = (query, state.current()) else {
+        return empty(ui, "Open a measured material to see how the error lies.");
+    };
+    request(&state.caches, &query, out);
+    let shown = state.caches.shown(&query);
+    let landscape = match shown {
+        Some((Err(error), true)) => return empty(ui, &error.to_string()),
+        Some((Ok(landscape), _)) => Some(landscape),
+        _ => None,
+    };
+    let terrain = landscape.map_or_else(no_terrain, terrain);
+    let spec = LandscapeSpec {
+        eta: eta_words(&query),
+        view: view.view,
+        path: path(state),
+        here: Some(place(&opened.brdf)),
+        best: landscape
+            .and_then(|landscape| landscape.best)
+            .map(|(brdf, error)| (place(&brdf), 100.0 * error)),
+    };
+    let heat = spec.heat_spec(&material.name, &terrain);
+    let dimmed = shown.is_some_and(|(_, fresh)| !fresh);
+    let on_screen = heat_ui(ui, "Error landscape", &heat, &terrain.field(), dimmed);
+    if let Some(moved) = on_screen.moved_view(ui, view.view) {
+        out.push(set(view, |view| view.view = moved));
+    }
+    if let Some(landscape) = landscape {
+        if let Some([s, alpha]) = on_screen.clicked() {
+            out.extend(landscape.model_at(s, alpha).map(Msg::TakeModel));
+        }
+        tooltip(&on_screen, landscape);
+    }
+    false
+}
+
+fn set(view: &LandscapeView, change: impl FnOnce(&mut LandscapeView)) -> Msg {
+    let mut view = view.clone();
+    change(&mut view);
+    Msg::SetLandscape(view)
+}
+
+fn toolbar_ui(
+    ui: &mut egui::Ui,
+    state: &State,
+    view: &LandscapeView,
+    query: Option<&LandscapeQuery>,
+    out: &mut Vec<Msg>,
+) {
+    ui.horizontal_wrapped(|ui| {
+        let with_fresnel = query.is_some_and(|query| query.fresnel != Fresnel::None);
+        for (solve_eta, name, help) in [
+            (false, "η fixed", "Keep η where its slider stands"),
+            (
+                true,
+                "η solved",
+                "Take the best η at each point; takes longer",
+            ),
+        ] {
+            let chosen = with_fresnel && view.solve_eta == solve_eta;
+            let button = egui::Button::selectable(chosen, name);
+            let response = ui.add_enabled(with_fresnel, button);
+            if response.on_hover_text(help).clicked() {
+                out.push(set(view, |view| view.solve_eta = solve_eta));
+            }
+        }
+        if ui
+            .add_enabled(view.view != View::default(), egui::Button::new("Whole"))
+            .on_hover_text("Show the whole landscape again")
+            .clicked()
+        {
+            out.push(set(view, |view| view.view = View::default()));
+        }
+        let Some(query) = query else {
+            return;
+        };
+        if let Some(progress) = state.caches.progress::<LandscapeQuery>() {
+            ui.separator();
+            if ui.button("Stop").clicked() {
+                out.push(stop::<LandscapeQuery>());
+            }
+            ui.weak(format!("{:.0} %", 100.0 * progress));
+        } else if state.caches.is_stopped(query) {
+            ui.separator();
+            if ui.button("Go on").clicked() {
+                out.push(again(query));
+            }
+        }
+    });
+}
+
+fn eta_words(query: &LandscapeQuery) -> String {
+    match (query.fresnel, query.eta) {
+        (Fresnel::None, _) => "no Fresnel".to_string(),
+        (_, Eta::Fixed(eta)) => format!("η = {} fixed", number(eta)),
+        (_, Eta::Solved) => "η solved".to_string(),
+    }
+}
+
+fn no_terrain() -> Terrain {
+    Terrain {
+        s: Vec::new(),
+        alpha: Vec::new(),
+        percent: Vec::new(),
+    }
+}
+
+fn tooltip(on_screen: &OnScreen, landscape: &Landscape) {
+    let Some([s, alpha]) = on_screen.hovered() else {
+        return;
+    };
+    let (Some(error), Some(near)) = (landscape.error_at(s, alpha), landscape.model_at(s, alpha))
+    else {
+        return;
+    };
+    on_screen.response.clone().on_hover_ui_at_pointer(|ui| {
+        ui.label(format!("s {}, α {alpha:.2}", plain(&number(s))));
+        ui.label(format!("E about {:.2} %", 100.0 * error));
+        if near.fresnel != Fresnel::None {
+            ui.label(format!("η {}", plain(&number(near.params.eta))));
+        }
+        ui.weak("Click to take these");
+    });
+}

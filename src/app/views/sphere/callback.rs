@@ -1,0 +1,202 @@
+//! The sphere pass inside egui's picture: a paint callback, and what it keeps on the GPU between frames.
+
+use crate::app::state::State;
+use crate::app::state::material::Material;
+use crate::app::state::material::MaterialId;
+use crate::app::state::material::Opened;
+use crate::app::state::material::Presence;
+use crate::app::views::sphere::OnScreen;
+use crate::app::views::sphere::error;
+use crate::app::views::sphere::sight::Sight;
+use crate::geom::sphere_error::SphereError;
+use crate::gpu::sphere_pass::{SpherePass, SphereSlot, SphereUniform};
+use crate::gpu::table_texture::TableTexture;
+use crate::measured::Table;
+use eframe::egui_wgpu::{
+    Callback, CallbackResources, CallbackTrait, RenderState, ScreenDescriptor,
+};
+use eframe::wgpu;
+use egui::PaintCallbackInfo;
+use std::collections::HashMap;
+use std::sync::{Arc, OnceLock, Weak};
+
+/// How many tables stay on the GPU.
+const TEXTURES: usize = 4;
+
+/// What a sphere on screen shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Half {
+    /// The data.
+    Measured,
+    /// The model.
+    Model,
+    /// Data left of a line at this place in units of the radius, model right of it.
+    Split(f64),
+    /// How far the model is from the data.
+    Error(SphereError),
+}
+
+impl Half {
+    /// The place of the line, far outside where there is only one.
+    fn split(self) -> f64 {
+        match self {
+            Self::Measured | Self::Error(_) => 2.0,
+            Self::Model => -2.0,
+            Self::Split(at) => at,
+        }
+    }
+}
+
+/// Prepares the renderer, once. Pipelines take long to compile: meanwhile the window opens and a material is read.
+pub fn install(render_state: &RenderState) {
+    let format = render_state.target_format;
+    let pass = Arc::new(OnceLock::new());
+    let (making, device) = (Arc::clone(&pass), render_state.device.clone());
+    // Where no thread can be started, the first frame with a sphere makes it.
+    let _ = std::thread::Builder::new()
+        .name("sphere".into())
+        .spawn(move || {
+            making.get_or_init(|| SpherePass::new(&device, format));
+        });
+    let kept = Kept {
+        format,
+        pass,
+        tables: HashMap::new(),
+        slots: HashMap::new(),
+    };
+    render_state
+        .renderer
+        .write()
+        .callback_resources
+        .insert(kept);
+}
+
+/// Adds a sphere to the picture.
+pub fn paint(
+    painter: &egui::Painter,
+    sphere: &OnScreen,
+    state: &State,
+    material: &Material,
+    opened: &Opened,
+) {
+    let radius_px = 0.5 * sphere.rect.width() * painter.ctx().pixels_per_point();
+    let scene = &state.scene;
+    let uniform = SphereUniform::new(
+        &scene.sphere.view,
+        &opened.brdf,
+        scene.lookup,
+        sphere.half.split(),
+        radius_px,
+    );
+    let Sight { zoom, center } = scene.sphere.sight;
+    let uniform = uniform.in_sight(center, zoom);
+    let (uniform, compared) = match sphere.half {
+        Half::Error(error) => (uniform.comparing(error, &error::colors(error)), true),
+        _ => (uniform, false),
+    };
+    let callback = SphereCallback {
+        // Two spheres are told apart by what they show. Without data all are the same.
+        key: (
+            (material.table.valid_count() > 0).then_some(opened.id),
+            matches!(sphere.half, Half::Model) || compared,
+        ),
+        compared,
+        table: Arc::clone(&material.table),
+        kept: kept(state),
+        uniform,
+    };
+    painter.add(Callback::new_paint_callback(sphere.frame, callback));
+}
+
+/// The materials whose textures are worth keeping: open ones whose tables are in memory, those shown lately.
+fn kept(state: &State) -> Vec<Option<MaterialId>> {
+    let opened = state.scene.opened.iter();
+    let mut held: Vec<(u64, MaterialId)> = opened
+        .filter_map(|opened| Some((opened.id, state.materials.get(&opened.id)?)))
+        .filter(|(_, material)| material.presence == Presence::Loaded)
+        .map(|(id, material)| (material.last_shown, id))
+        .collect();
+    held.sort_by_key(|(last_shown, _)| std::cmp::Reverse(*last_shown));
+    let lately = held.into_iter().take(TEXTURES).map(|(_, id)| Some(id));
+    lately.chain([None]).collect()
+}
+
+/// `None` where there are no data.
+type Key = (Option<MaterialId>, bool);
+
+/// What stays on the GPU.
+struct Kept {
+    format: wgpu::TextureFormat,
+    pass: Arc<OnceLock<SpherePass>>,
+    /// With the data they are of.
+    tables: HashMap<Option<MaterialId>, (Weak<Table>, TableTexture)>,
+    slots: HashMap<Key, SphereSlot>,
+}
+
+struct SphereCallback {
+    key: Key,
+    compared: bool,
+    table: Arc<Table>,
+    kept: Vec<Option<MaterialId>>,
+    uniform: SphereUniform,
+}
+
+impl CallbackTrait for SphereCallback {
+    fn prepare(
+        &self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        _screen: &ScreenDescriptor,
+        _encoder: &mut wgpu::CommandEncoder,
+        resources: &mut CallbackResources,
+    ) -> Vec<wgpu::CommandBuffer> {
+        let Some(Kept {
+            format,
+            pass,
+            tables,
+            slots,
+        }) = resources.get_mut::<Kept>()
+        else {
+            return Vec::new();
+        };
+        let (own, data) = (self.key.0, Arc::downgrade(&self.table));
+        // Data that were let go and read again may be others.
+        tables.retain(|id, (of, _)| match *id == own {
+            true => of.ptr_eq(&data),
+            false => self.kept.contains(id),
+        });
+        slots.retain(|(id, _), _| tables.contains_key(id));
+        let pass = pass.get_or_init(|| SpherePass::new(device, *format));
+        let (_, table) = tables.entry(own).or_insert_with(|| {
+            let texture = if self.table.valid_count() == 0 {
+                TableTexture::empty(device, queue)
+            } else {
+                TableTexture::upload(device, queue, &self.table)
+            };
+            (data, texture)
+        });
+        slots
+            .entry(self.key)
+            .or_insert_with(|| pass.slot(device, table))
+            .write(queue, &self.uniform);
+        Vec::new()
+    }
+
+    fn paint(
+        &self,
+        _info: PaintCallbackInfo,
+        pass: &mut wgpu::RenderPass<'static>,
+        resources: &CallbackResources,
+    ) {
+        if let Some(kept) = resources.get::<Kept>()
+            && let Some(sphere) = kept.pass.get()
+            && let Some(slot) = kept.slots.get(&self.key)
+        {
+            if self.compared {
+                sphere.draw_compared(pass, slot);
+            } else {
+                sphere.draw(pass, slot);
+            }
+        }
+    }
+}

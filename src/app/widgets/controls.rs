@@ -1,0 +1,93 @@
+//! Controls that several tiles have.
+
+use crate::app::state::State;
+use crate::app::state::probe::Probe;
+use crate::app::widgets::formula::number;
+use crate::app::widgets::paint;
+use crate::figure::subject::{CHANNELS, Channel};
+use crate::figure::text::RichText;
+use crate::geom::Rgb;
+use std::ops::RangeInclusive;
+
+/// The choice of a channel; the new one where it changed.
+pub fn channel_ui(ui: &mut egui::Ui, channel: Channel) -> Option<Channel> {
+    let choices = CHANNELS.map(|channel| (channel, channel.name()));
+    choice_ui(ui, "Channel", channel, &choices)
+}
+
+/// A drop-down list with a name for screen readers; the new value where it changed.
+pub fn choice_ui<T: Copy + PartialEq>(
+    ui: &mut egui::Ui,
+    name: &str,
+    value: T,
+    choices: &[(T, &str)],
+) -> Option<T> {
+    sized_choice_ui(ui, name, value, choices, 92.0)
+}
+
+/// The same of a width in points.
+pub fn sized_choice_ui<T: Copy + PartialEq>(
+    ui: &mut egui::Ui,
+    name: &str,
+    value: T,
+    choices: &[(T, &str)],
+    width: f32,
+) -> Option<T> {
+    let mut chosen = value;
+    let shown = choices.iter().find(|(choice, _)| *choice == value);
+    let menu = egui::ComboBox::from_id_salt(name)
+        .width(width)
+        .selected_text(shown.map_or("", |(_, text)| *text));
+    let menu = menu.show_ui(ui, |ui| {
+        for (choice, text) in choices {
+            ui.selectable_value(&mut chosen, *choice, *text);
+        }
+    });
+    ui.ctx()
+        .accesskit_node_builder(menu.response.id, |node| node.set_label(name));
+    (chosen != value).then_some(chosen)
+}
+
+/// A symbol such as `θ_{i}`.
+pub fn symbol_ui(ui: &mut egui::Ui, markup: &str) {
+    let color = ui.visuals().text_color();
+    ui.label(paint::rich_text_job(&RichText::parse(markup), 14.0, color));
+}
+
+/// An angle that is dragged in degrees; the new one in radians where it changed.
+pub fn angle_ui(
+    ui: &mut egui::Ui,
+    name: &str,
+    help: &str,
+    angle: f64,
+    range_deg: RangeInclusive<f64>,
+) -> Option<f64> {
+    let mut degrees = angle.to_degrees();
+    let drag = egui::DragValue::new(&mut degrees)
+        .speed(0.2)
+        .range(range_deg)
+        .suffix("°")
+        .fixed_decimals(0);
+    let response = ui.add(drag).on_hover_text(help);
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::SpinButton, true, name));
+    response.changed().then(|| degrees.to_radians())
+}
+
+/// What was measured and what the model gives at a probe, beside the pointer; `head` says where that is.
+pub fn values_tooltip(
+    response: &egui::Response,
+    state: &State,
+    probe: Probe,
+    channel: Channel,
+    head: &str,
+) {
+    let (measured, model) = state.values_at(probe);
+    response.clone().on_hover_ui_at_pointer(|ui| {
+        ui.label(format!("{head}, {}", channel.name()));
+        let text = |rgb: Rgb| paint::plain(&number(channel.of(rgb)));
+        ui.label(measured.map_or("not measured".into(), |rgb| {
+            format!("measured {}", text(rgb))
+        }));
+        ui.label(format!("model {}", model.map_or("–".into(), text)));
+    });
+}

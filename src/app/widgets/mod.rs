@@ -1,0 +1,9 @@
+//! Pieces of user interface that views and panels share: painting, controls, gestures.
+
+pub mod controls;
+pub mod formula;
+pub mod heat;
+pub mod legend;
+pub mod paint;
+pub mod probe;
+pub mod zoom;
