@@ -22,7 +22,7 @@ use crate::brdf::{Brdf, ParamId, Params};
 use crate::files::SourceFile;
 use crate::files::fits::MaterialFits;
 use crate::files::session::has_ending;
-use crate::fit::start;
+use crate::fit::initial_guess;
 use crate::geom::color::luminance;
 use crate::measured::Table;
 use std::path::PathBuf;
@@ -138,7 +138,7 @@ pub struct Loaded {
 impl Loaded {
     /// A table with its first guess; part of the job, as it walks the data.
     pub fn new(name: String, source: Option<SourceFile>, table: Table) -> Self {
-        let guess = start::from_table(&table);
+        let guess = initial_guess::from_table(&table);
         Self {
             name,
             source,

@@ -43,7 +43,7 @@ fn of_landscape(
             let text = format!("eta is {eta}; expected at least 1, or null for the best one");
             return Err(ExportError::Other(text));
         }
-        (_, None) => Eta::Solved,
+        (_, None) => Eta::Optimised,
     };
     let problem = Problem::new(table, weight(&spec.weight)?, spec.limit).map_err(no_problem)?;
     let made = landscape(&problem, fresnel, eta, &mut |_| follow()).ok_or(ExportError::Stopped)?;

@@ -4,7 +4,7 @@
 //! It goes over the cells of the table in f64 with the definition of E as it stands, and knows nothing of how a fit
 //! arranges them: what is shown and what is minimised check each other.
 
-use super::ProblemError;
+use super::error::ProblemError;
 use super::options::Weight;
 use crate::brdf::Brdf;
 use crate::geom::Rgb;

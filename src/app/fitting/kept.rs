@@ -6,7 +6,7 @@ use crate::files::SourceFile;
 use crate::files::fits::FitRecord;
 use crate::fit::options::NO_LIMIT;
 use crate::fit::{
-    Ended, Options, Outcome, Partial, Progress, STAGES, StageReport, Variant, Weight, concerns,
+    Ended, Options, Outcome, Partial, Progress, STAGES, StageReport, Variant, Weight, diagnostics,
 };
 use crate::geom::degrees;
 use serde::{Deserialize, Serialize};
@@ -201,7 +201,7 @@ impl From<&FitRecord> for KeptFit {
                 evaluations: record.evaluations,
                 ended: record.ended,
                 albedo: record.albedo,
-                concerns: concerns::of(&record.brdf, &record.options, &record.albedo),
+                concerns: diagnostics::diagnose(&record.brdf, &record.options, &record.albedo),
             },
             setup: Setup {
                 weight: record.weight,

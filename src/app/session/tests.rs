@@ -71,7 +71,7 @@ fn kept(brdf: Brdf, error: f64) -> KeptFit {
             evaluations: 34,
             ended: Ended::Limit,
             albedo,
-            concerns: crate::fit::concerns::of(&brdf, &options, &albedo),
+            concerns: crate::fit::diagnostics::diagnose(&brdf, &options, &albedo),
         },
         setup,
         seconds: Some(1.75),

@@ -122,7 +122,7 @@ fn eta_words(wish: &LandscapeWish) -> String {
     match (wish.fresnel, wish.eta) {
         (Fresnel::None, _) => "no Fresnel".to_string(),
         (_, Eta::Fixed(eta)) => format!("η = {} fixed", number(eta)),
-        (_, Eta::Solved) => "η solved".to_string(),
+        (_, Eta::Optimised) => "η solved".to_string(),
     }
 }
 

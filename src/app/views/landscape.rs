@@ -5,7 +5,7 @@ use crate::app::derived::{Derived, Slot, Step, Wish};
 use crate::app::state::State;
 use crate::brdf::{Brdf, Fresnel};
 use crate::figure::heatmap::View;
-use crate::fit::landscape::{self, Eta, Landscape, Word, landscape};
+use crate::fit::landscape::{self, Eta, Landscape, Update, landscape};
 use crate::fit::{Problem, ProblemError, Progress, Weight};
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
@@ -45,7 +45,7 @@ impl LandscapeWish {
         let eta = match brdf.fresnel {
             // It does not matter, and must not make a difference.
             Fresnel::None => Eta::Fixed(1.0),
-            _ if state.scene.landscape.solve_eta => Eta::Solved,
+            _ if state.scene.landscape.solve_eta => Eta::Optimised,
             _ => Eta::Fixed(brdf.params.eta),
         };
         Some(Self {
@@ -76,8 +76,8 @@ impl Wish for LandscapeWish {
         };
         let mut say = |word| {
             follow(match word {
-                Word::Progress(share) => Step::Progress(share),
-                Word::Grid(grid) => Step::Part(Ok(grid)),
+                Update::Progress(share) => Step::Progress(share),
+                Update::Grid(grid) => Step::Part(Ok(grid)),
             })
         };
         landscape(&problem, self.fresnel, self.eta, &mut say).map(Ok)

@@ -1,7 +1,7 @@
 //! The cells of a table arranged for passes over all of them.
 //!
 //! Cells with φd, π − φd (and, unfolded, those plus π) swap wi and wo or mirror them, and every model and weight is
-//! symmetric in both: such cells share one **site**, at which the model is evaluated once. With c = cos² φd the
+//! symmetric in both: they form one **symmetric cell**, at which the model is evaluated once. With c = cos² φd the
 //! cosines are linear along a row of fixed (θh, θd):
 //!
 //! - `1 − wr·wo = 2 sin²θh cos²θd + 2 sin²θh sin²θd · c`, without cancellation,
@@ -9,75 +9,75 @@
 //!
 //! so that a pass reads f_r and hardly anything else.
 
-use super::lanes::LANES;
+use super::error::ProblemError;
 use super::options::{GRAZING, Weight};
-use super::problem::ProblemError;
+use super::simd::LANES;
 use crate::measured::Table;
 use crate::measured::grid::{Grid, THETA_D_BINS, THETA_H_BINS};
 use rayon::prelude::*;
 use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
 
-/// What stands in a site for a cell that does not count.
+/// Stands for f_r of a measured cell that does not count.
 pub const ABSENT: f32 = -1.0;
 
-/// φd bins that have a site of their own: those below 90°.
-const SITES: usize = 90;
+/// Symmetric cells in a full row: one per φd bin below 90°.
+const PER_ROW: usize = 90;
 
 /// Which cells are taken: all, or an even sample.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampling {
     /// Bins of θd taken, evenly from the middle of their shares.
     pub theta_d: usize,
-    /// Sites of φd taken, likewise.
+    /// Symmetric cells along φd taken, likewise.
     pub phi_d: usize,
 }
 
-/// A row of sites with the same (θh, θd).
+/// A row of symmetric cells with the same (θh, θd).
 #[derive(Clone, Copy, Debug)]
-pub struct Row {
+pub struct CellRow {
     /// Bin of θh.
     pub theta_h: usize,
     /// Bin of θd.
     pub theta_d: usize,
-    /// Where its first site is in [`Sites::cos2`].
+    /// Position of its first cell in [`SymmetricCells::cos2`].
     pub first: usize,
-    /// How many blocks of [`LANES`] sites it has.
+    /// Number of blocks of [`LANES`] cells.
     pub blocks: usize,
-    /// Where its sites begin among all, in blocks.
-    pub site_block: usize,
-    /// The weight of a site's cells is `weight[0] + weight[1] · c`, normalised so that Σ w f = 1 over all cells.
+    /// Its first block among those of all rows.
+    pub first_block: usize,
+    /// The weight of each measured cell is `weight[0] + weight[1] · c`, normalised so that Σ w f = 1 over all cells.
     pub weight: [f32; 2],
-    /// Sites from here on, counted from the first, are not grazing.
+    /// Cells from here on, counted from the first, are not grazing.
     pub grazing_end: usize,
 }
 
-/// All rows, with f_r per site.
+/// f_r of a table, row by row, with the weights and sums that E needs.
 #[derive(Clone, Debug)]
-pub struct Sites {
+pub struct SymmetricCells {
     /// By ascending θh, then θd.
-    pub rows: Vec<Row>,
-    /// The rows of each θh: the units of work of a pass.
+    pub rows: Vec<CellRow>,
+    /// The rows of each θh: the units of work that a pass spreads over threads.
     pub slabs: Vec<Range<usize>>,
-    /// c = cos² φd per site of a full row, padded to a whole block more.
+    /// c = cos² φd per cell of a full row, padded to a whole block more.
     pub cos2: Vec<f32>,
-    /// Cells per site: 2, or 4 where φd covers the whole turn.
-    pub copies: usize,
-    /// f_r / `scale` or [`ABSENT`]: block by block, in each by copy and channel, so that a pass reads one stream.
+    /// Measured cells per symmetric cell: 2, or 4 where φd covers the whole turn.
+    pub mirror_count: usize,
+    /// f_r / `scale` or [`ABSENT`]: block by block, in each by mirror and channel, so that a pass reads one stream.
     pub values: Vec<f32>,
     /// Number of blocks in all rows.
     pub blocks: usize,
-    /// Number of cells that count.
-    pub cells: usize,
+    /// Number of measured cells that count.
+    pub cell_count: usize,
     /// The unit of the values in 1/sr, a power of two.
     pub scale: f64,
-    /// Σ w f per channel, of the sum over all.
-    pub shares: [f64; 3],
-    /// Σ w f of the grazing cells, of the sum over all.
-    pub grazing_share: f64,
+    /// Σ w f per channel, as a share of the sum over all.
+    pub energy: [f64; 3],
+    /// Σ w f of the grazing cells, likewise.
+    pub grazing_energy: f64,
 }
 
-impl Sites {
+impl SymmetricCells {
     /// Arranges a table.
     ///
     /// # Errors
@@ -89,22 +89,22 @@ impl Sites {
         sampling: Option<Sampling>,
     ) -> Result<Self, ProblemError> {
         let grid = table.grid();
-        let copies = grid.phi_d_bins() / SITES;
+        let mirror_count = grid.phi_d_bins() / PER_ROW;
         let (theta_d_bins, phi_d_bins) = match sampling {
             Some(sampling) => (
                 spread(sampling.theta_d, THETA_D_BINS),
-                spread(sampling.phi_d, SITES),
+                spread(sampling.phi_d, PER_ROW),
             ),
-            None => ((0..THETA_D_BINS).collect(), (0..SITES).collect()),
+            None => ((0..THETA_D_BINS).collect(), (0..PER_ROW).collect()),
         };
         let cos_phi: Vec<f64> = phi_d_bins
             .iter()
             .map(|phi_d| grid.center(0, 0, *phi_d).phi_d.cos())
             .collect();
-        let slabs: Vec<Slab> = (0..THETA_H_BINS)
+        let slabs: Vec<SlabBuilder> = (0..THETA_H_BINS)
             .into_par_iter()
             .map(|theta_h| {
-                let mut slab = Slab::default();
+                let mut slab = SlabBuilder::default();
                 for theta_d in &theta_d_bins {
                     slab.add_row(
                         table,
@@ -132,29 +132,29 @@ impl Sites {
         }
         // A power of two changes no digit; it keeps products of f32 away from the ends of their range.
         let scale = (total / (3.0 * weights)).log2().round().exp2();
-        let mut sites = Self {
+        let mut all = Self {
             rows: Vec::new(),
             slabs: Vec::new(),
             cos2: cos_phi.iter().map(|c| (c * c) as f32).collect(),
-            copies,
+            mirror_count,
             values: Vec::with_capacity(slabs.iter().map(|slab| slab.values.len()).sum()),
             blocks: 0,
-            cells: slabs.iter().map(|slab| slab.cells).sum(),
+            cell_count: slabs.iter().map(|slab| slab.cells).sum(),
             scale,
-            shares: sums.map(|sum| sum / total),
-            grazing_share: slabs.iter().map(|slab| slab.grazing).sum::<f64>() / total,
+            energy: sums.map(|sum| sum / total),
+            grazing_energy: slabs.iter().map(|slab| slab.grazing).sum::<f64>() / total,
         };
-        sites.cos2.resize(phi_d_bins.len() + LANES, 0.0);
+        all.cos2.resize(phi_d_bins.len() + LANES, 0.0);
         for slab in slabs {
-            let first = sites.rows.len();
+            let first = all.rows.len();
             for mut row in slab.rows {
-                row.site_block += sites.blocks;
+                row.first_block += all.blocks;
                 row.weight = row
                     .weight
                     .map(|w| (f64::from(w) * slab.unit / total * scale) as f32);
-                sites.rows.push(row);
+                all.rows.push(row);
             }
-            sites.blocks += slab.blocks;
+            all.blocks += slab.blocks;
             let scaled = |value: f32| {
                 if value < 0.0 {
                     ABSENT
@@ -162,23 +162,23 @@ impl Sites {
                     (f64::from(value) / scale) as f32
                 }
             };
-            sites.values.extend(slab.values.into_iter().map(scaled));
-            sites.slabs.push(first..sites.rows.len());
+            all.values.extend(slab.values.into_iter().map(scaled));
+            all.slabs.push(first..all.rows.len());
         }
-        Ok(sites)
+        Ok(all)
     }
 
-    /// cos² φd of a row's sites.
+    /// cos² φd of the cells of a row.
     #[inline(always)]
-    pub fn cos2_of(&self, row: &Row) -> &[f32] {
+    pub fn cos2_of(&self, row: &CellRow) -> &[f32] {
         &self.cos2[row.first..][..row.blocks * LANES]
     }
 
-    /// The values of a row: block by block, in each by copy and channel.
+    /// The values of a row: block by block, in each by mirror and channel.
     #[inline(always)]
-    pub fn values_of(&self, row: &Row) -> &[f32] {
-        let block = 3 * self.copies * LANES;
-        &self.values[row.site_block * block..][..row.blocks * block]
+    pub fn values_of(&self, row: &CellRow) -> &[f32] {
+        let block = 3 * self.mirror_count * LANES;
+        &self.values[row.first_block * block..][..row.blocks * block]
     }
 
     /// Bytes that a pass reads of the data.
@@ -187,9 +187,9 @@ impl Sites {
     }
 }
 
-/// Where a cell's value is among those of its row.
-pub fn place(copies: usize, site: usize, copy: usize, channel: usize) -> usize {
-    LANES * (site / LANES * 3 * copies + 3 * copy + channel) + site % LANES
+/// Position among the values of a row: of a cell, one of its mirrors and a channel.
+fn value_index(mirror_count: usize, cell: usize, mirror: usize, channel: usize) -> usize {
+    LANES * (cell / LANES * 3 * mirror_count + 3 * mirror + channel) + cell % LANES
 }
 
 /// `count` of `bins` bins, in the middle of equal shares.
@@ -201,19 +201,19 @@ fn spread(count: usize, bins: usize) -> Vec<usize> {
 
 /// The rows of one θh while they are gathered.
 #[derive(Default)]
-struct Slab {
-    rows: Vec<Row>,
+struct SlabBuilder {
+    rows: Vec<CellRow>,
     values: Vec<f32>,
     blocks: usize,
     cells: usize,
     sums: [f64; 3],
     grazing: f64,
     weights: f64,
-    /// Row weights are in this unit, as f32 hold no 1e-40.
+    /// CellRow weights are in this unit, as f32 hold no 1e-40.
     unit: f64,
 }
 
-impl Slab {
+impl SlabBuilder {
     fn add_row(
         &mut self,
         table: &Table,
@@ -224,7 +224,7 @@ impl Slab {
         cos_phi: &[f64],
     ) {
         let grid = table.grid();
-        let copies = grid.phi_d_bins() / SITES;
+        let mirror_count = grid.phi_d_bins() / PER_ROW;
         let center = grid.center(theta_h, theta_d, 0);
         let (sin_h, cos_h) = center.theta_h.sin_cos();
         let (sin_d, cos_d) = center.theta_d.sin_cos();
@@ -236,12 +236,12 @@ impl Slab {
         let Some(first) = (0..cos_phi.len()).find(|k| counts(*k)) else {
             return;
         };
-        let measured = |k: usize, copy: usize| {
-            let phi_d = mirrored(phi_d_bins[k], copy, grid);
+        let measured = |k: usize, mirror: usize| {
+            let phi_d = mirrored(phi_d_bins[k], mirror, grid);
             table.cells()[grid.index(theta_h, theta_d, phi_d)]
         };
-        let any =
-            (first..cos_phi.len()).any(|k| (0..copies).any(|copy| measured(k, copy)[0] >= 0.0));
+        let any = (first..cos_phi.len())
+            .any(|k| (0..mirror_count).any(|mirror| measured(k, mirror)[0] >= 0.0));
         if !any {
             return;
         }
@@ -258,36 +258,36 @@ impl Slab {
             .find(|k| smaller(*k) > GRAZING.cos())
             .unwrap_or(cos_phi.len())
             - first;
-        let sites = cos_phi.len() - first;
-        let blocks = sites.div_ceil(LANES);
+        let count = cos_phi.len() - first;
+        let blocks = count.div_ceil(LANES);
         let values_start = self.values.len();
         self.values
-            .resize(values_start + 3 * copies * blocks * LANES, ABSENT);
+            .resize(values_start + 3 * mirror_count * blocks * LANES, ABSENT);
         let row = &mut self.values[values_start..];
-        for copy in 0..copies {
-            for site in 0..sites {
-                let cell = measured(first + site, copy);
+        for mirror in 0..mirror_count {
+            for k in 0..count {
+                let cell = measured(first + k, mirror);
                 if cell[0].is_nan() {
                     continue;
                 }
-                let c = cos_phi[first + site].powi(2);
+                let c = cos_phi[first + k].powi(2);
                 let w = self.unit * (w0 + w1 * c);
                 self.weights += w;
                 self.cells += 1;
                 for channel in 0..3 {
-                    row[place(copies, site, copy, channel)] = cell[channel];
+                    row[value_index(mirror_count, k, mirror, channel)] = cell[channel];
                     let energy = w * f64::from(cell[channel]);
                     self.sums[channel] += energy;
-                    self.grazing += if site < grazing_end { energy } else { 0.0 };
+                    self.grazing += if k < grazing_end { energy } else { 0.0 };
                 }
             }
         }
-        self.rows.push(Row {
+        self.rows.push(CellRow {
             theta_h,
             theta_d,
             first,
             blocks,
-            site_block: self.blocks,
+            first_block: self.blocks,
             weight: [w0 as f32, w1 as f32],
             grazing_end,
         });
@@ -303,14 +303,14 @@ fn bin_solid_angle(theta_h: usize) -> f64 {
         * (0.5 * (edge(theta_h + 1) - edge(theta_h))).sin()
 }
 
-/// The φd bins of a site: φd, π − φd, and both plus π.
-fn mirrored(phi_d: usize, copy: usize, grid: Grid) -> usize {
-    debug_assert!(phi_d < SITES && copy < grid.phi_d_bins() / SITES);
-    let half_turn = 2 * SITES * (copy / 2);
+/// The φd bins of a symmetric cell: φd, π − φd, and both plus π.
+fn mirrored(phi_d: usize, mirror: usize, grid: Grid) -> usize {
+    debug_assert!(phi_d < PER_ROW && mirror < grid.phi_d_bins() / PER_ROW);
+    let half_turn = 2 * PER_ROW * (mirror / 2);
     half_turn
-        + if copy.is_multiple_of(2) {
+        + if mirror.is_multiple_of(2) {
             phi_d
         } else {
-            2 * SITES - 1 - phi_d
+            2 * PER_ROW - 1 - phi_d
         }
 }

@@ -1,9 +1,9 @@
-//! f32 arithmetic on as many lanes as the machine has, by [`pulp`], and the two functions that the models need.
+//! SIMD: f32 arithmetic on as many lanes as the machine has, by [`pulp`], and the two functions that the models need.
 
 use pulp::Simd;
 use std::ops::{Add, Div, Mul, Sub};
 
-/// Rows are padded to whole blocks of this many sites: a multiple of the lanes of every machine that is known.
+/// Rows are padded to whole blocks of this many symmetric cells: a multiple of the lanes of every machine that is known.
 pub const LANES: usize = 8;
 
 /// Work that is compiled once for each set of instructions.

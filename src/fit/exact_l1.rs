@@ -1,10 +1,10 @@
-//! The last digits of stage 1, which single cells decide.
+//! The exact minimum of the L1 regression in (ρ_d, k_s), to the last digit, which single cells decide.
 
-use super::lanes::{self, Kernel, LANES, Lanes, vectors};
-use super::passes::{Amplitudes, block_of, per_block};
-use super::regression::Limits;
-use super::sites::{Row, Sites};
-use super::vertex::{Cell, Sum};
+use super::amplitudes::{AmplitudeBounds, Amplitudes};
+use super::kernels::{block_of, per_block};
+use super::simd::{self, Kernel, LANES, Lanes, vectors};
+use super::symmetric_cells::{CellRow, SymmetricCells};
+use super::vertex_walk::{L1Sum, Observation};
 use pulp::Simd;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -23,13 +23,18 @@ const FEW_CELLS: usize = 2000;
 /// Cells far from the model keep the sign of their residual and enter as two slopes; only those within a narrow band
 /// are looked at one by one [Portnoy97]. Amplitudes move no further than the others keep their signs. A minimum
 /// short of that is the minimum of all, by convexity; else the band is laid anew from there, and wider.
-pub fn exact(sites: &Sites, shapes: &[f32], near: &Amplitudes, limits: &Limits) -> Amplitudes {
+pub fn solve(
+    cells: &SymmetricCells,
+    shapes: &[f32],
+    near: &Amplitudes,
+    limits: &AmplitudeBounds,
+) -> Amplitudes {
     let mut at = limits.clamp(*near);
-    let few = sites.cells < FEW_CELLS;
+    let few = cells.cell_count < FEW_CELLS;
     let mut band = if few { f64::INFINITY } else { BAND };
     let mut done = [false; 3];
     for _ in 0..ROUNDS {
-        let sums = gather(sites, shapes, &at, limits, band, done);
+        let sums = gather(cells, shapes, &at, limits, band, done);
         let moves: Vec<([f64; 2], bool)> = (0..3)
             .into_par_iter()
             .map(|k| {
@@ -59,20 +64,20 @@ pub fn exact(sites: &Sites, shapes: &[f32], near: &Amplitudes, limits: &Limits) 
 }
 
 /// What the band is wide where the model is 0.
-fn floor(sites: &Sites, channel: usize) -> f64 {
-    1e-3 * sites.shares[channel]
+fn floor(cells: &SymmetricCells, channel: usize) -> f64 {
+    1e-3 * cells.energy[channel]
 }
 
 /// The sum of each channel: cells within the band, the slopes of the rest, and how far these hold.
 fn gather(
-    sites: &Sites,
+    cells: &SymmetricCells,
     shapes: &[f32],
     at: &Amplitudes,
-    limits: &Limits,
+    limits: &AmplitudeBounds,
     band: f64,
     done: [bool; 3],
-) -> [Sum; 3] {
-    let floor: [f64; 3] = std::array::from_fn(|channel| floor(sites, channel));
+) -> [L1Sum; 3] {
+    let floor: [f64; 3] = std::array::from_fn(|channel| floor(cells, channel));
     // So that |Δa + Δb·x| ≤ band · (a + b·x + 2 floor), for x is in [0, 1].
     let reach = |channel: usize, k: usize| match k {
         _ if band.is_infinite() => f64::INFINITY,
@@ -89,17 +94,17 @@ fn gather(
             )
         })
     };
-    let empty = || -> [Sum; 3] {
-        std::array::from_fn(|channel| Sum {
+    let empty = || -> [L1Sum; 3] {
+        std::array::from_fn(|channel| L1Sum {
             cells: Vec::new(),
             linear: [0.0; 2],
             bounds: bounds(channel),
         })
     };
     let of_slab = |slab: &Range<usize>| {
-        lanes::dispatch(Gather {
-            sites,
-            rows: &sites.rows[slab.clone()],
+        simd::dispatch(Gather {
+            cells,
+            rows: &cells.rows[slab.clone()],
             shapes,
             at,
             band,
@@ -108,7 +113,7 @@ fn gather(
             sums: empty(),
         })
     };
-    let parts: Vec<[Sum; 3]> = sites.slabs.par_iter().map(of_slab).collect();
+    let parts: Vec<[L1Sum; 3]> = cells.slabs.par_iter().map(of_slab).collect();
     let mut sums = empty();
     for part in parts {
         for (sum, part) in sums.iter_mut().zip(part) {
@@ -121,23 +126,23 @@ fn gather(
 
 /// [`gather`] of a slab.
 struct Gather<'a> {
-    sites: &'a Sites,
-    rows: &'a [Row],
+    cells: &'a SymmetricCells,
+    rows: &'a [CellRow],
     shapes: &'a [f32],
     at: &'a Amplitudes,
     band: f64,
     floor: [f64; 3],
     done: [bool; 3],
-    sums: [Sum; 3],
+    sums: [L1Sum; 3],
 }
 
 impl Kernel for Gather<'_> {
-    type Output = [Sum; 3];
+    type Output = [L1Sum; 3];
     #[inline(always)]
-    fn run<S: Simd>(mut self, simd: S) -> [Sum; 3] {
+    fn run<S: Simd>(mut self, simd: S) -> [L1Sum; 3] {
         for channel in (0..3).filter(|channel| !self.done[*channel]) {
             let mut sum = std::mem::take(&mut self.sums[channel]);
-            match self.sites.copies {
+            match self.cells.mirror_count {
                 2 => self.channel::<S, 2>(simd, channel, &mut sum),
                 _ => self.channel::<S, 4>(simd, channel, &mut sum),
             }
@@ -149,7 +154,7 @@ impl Kernel for Gather<'_> {
 
 impl Gather<'_> {
     #[inline(always)]
-    fn channel<S: Simd, const COPIES: usize>(&self, simd: S, channel: usize, sum: &mut Sum) {
+    fn channel<S: Simd, const MIRRORS: usize>(&self, simd: S, channel: usize, sum: &mut L1Sum) {
         let splat = |x: f32| Lanes::splat(simd, x);
         let zero = splat(0.0);
         let [a, b] = self.at.of(channel).map(|x| splat(x as f32));
@@ -161,19 +166,19 @@ impl Gather<'_> {
         };
         for row in self.rows {
             let [w0, w1] = row.weight.map(splat);
-            let shapes = &self.shapes[row.site_block * LANES..][..row.blocks * LANES];
-            let cos2 = vectors::<S>(self.sites.cos2_of(row));
-            let values = vectors::<S>(self.sites.values_of(row));
+            let shapes = &self.shapes[row.first_block * LANES..][..row.blocks * LANES];
+            let cos2 = vectors::<S>(self.cells.cos2_of(row));
+            let values = vectors::<S>(self.cells.values_of(row));
             let mut linear = [zero; 2];
             let mut in_band = zero;
-            for (site, (cos2, x)) in cos2.iter().zip(vectors::<S>(shapes)).enumerate() {
+            for (vector, (cos2, x)) in cos2.iter().zip(vectors::<S>(shapes)).enumerate() {
                 let x = Lanes::new(simd, *x);
                 let weight = w1.mul_add(Lanes::new(simd, *cos2), w0);
                 let model = b.mul_add(x, a);
                 let width = band.mul_add(model, floor);
-                let values = block_of::<S, COPIES>(values, site);
-                for copy in 0..COPIES {
-                    let plane = (3 * copy + channel) * per_block::<S>();
+                let values = block_of::<S, MIRRORS>(values, vector);
+                for mirror in 0..MIRRORS {
+                    let plane = (3 * mirror + channel) * per_block::<S>();
                     let r = model - Lanes::new(simd, values[plane]);
                     let present = weight.where_le(zero, Lanes::new(simd, values[plane]));
                     let near = present.where_le(r.abs(), width);
@@ -188,19 +193,19 @@ impl Gather<'_> {
             if in_band.total() <= 0.0 {
                 continue;
             }
-            for (site, (cos2, x)) in cos2.iter().zip(vectors::<S>(shapes)).enumerate() {
+            for (vector, (cos2, x)) in cos2.iter().zip(vectors::<S>(shapes)).enumerate() {
                 let x = Lanes::new(simd, *x);
                 let weight = w1.mul_add(Lanes::new(simd, *cos2), w0);
                 let model = b.mul_add(x, a);
                 let width = band.mul_add(model, floor);
-                let values = block_of::<S, COPIES>(values, site);
-                for copy in 0..COPIES {
-                    let plane = (3 * copy + channel) * per_block::<S>();
+                let values = block_of::<S, MIRRORS>(values, vector);
+                for mirror in 0..MIRRORS {
+                    let plane = (3 * mirror + channel) * per_block::<S>();
                     let measured = Lanes::new(simd, values[plane]);
                     let present = weight.where_le(zero, measured);
                     let near = present.where_le((model - measured).abs(), width);
                     for lane in (0..S::F32_LANES).filter(|lane| near.lanes()[*lane] > 0.0) {
-                        sum.cells.push(Cell {
+                        sum.cells.push(Observation {
                             x: x.lanes()[lane].into(),
                             f: measured.lanes()[lane].into(),
                             w: near.lanes()[lane].into(),

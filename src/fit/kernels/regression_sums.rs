@@ -1,9 +1,10 @@
 //! The sums that the regression of stage 1 takes its steps from.
 
-use super::super::lanes::{self, Kernel, LANES, Lanes, vectors};
-use super::super::shape::Threads;
-use super::super::sites::{Row, Sites};
-use super::{Amplitudes, ROWS_PER_SUM, block_of, over_slabs, per_block};
+use super::super::amplitudes::Amplitudes;
+use super::super::simd::{self, Kernel, LANES, Lanes, vectors};
+use super::super::symmetric_cells::{CellRow, SymmetricCells};
+use super::super::threads::Threads;
+use super::rows::{ROWS_PER_SUM, block_of, over_slabs, per_block};
 use pulp::Simd;
 use std::ops::Range;
 
@@ -21,8 +22,8 @@ pub struct ChannelSums {
 }
 
 struct RegressionPass<'a> {
-    sites: &'a Sites,
-    rows: &'a [Row],
+    cells: &'a SymmetricCells,
+    rows: &'a [CellRow],
     shapes: &'a [f32],
     amplitudes: &'a Amplitudes,
     bands: [f32; 3],
@@ -33,7 +34,7 @@ impl Kernel for RegressionPass<'_> {
     type Output = [ChannelSums; 3];
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> [ChannelSums; 3] {
-        match self.sites.copies {
+        match self.cells.mirror_count {
             2 => self.sum::<S, 2>(simd),
             _ => self.sum::<S, 4>(simd),
         }
@@ -42,7 +43,7 @@ impl Kernel for RegressionPass<'_> {
 
 impl RegressionPass<'_> {
     #[inline(always)]
-    fn sum<S: Simd, const COPIES: usize>(self, simd: S) -> [ChannelSums; 3] {
+    fn sum<S: Simd, const MIRRORS: usize>(self, simd: S) -> [ChannelSums; 3] {
         let splat = |x: f32| Lanes::splat(simd, x);
         let zero = splat(0.0);
         let mut sums = [ChannelSums::default(); 3];
@@ -56,18 +57,18 @@ impl RegressionPass<'_> {
                 let [mut curvature, mut majorant] = [[zero; 3]; 2];
                 for row in rows {
                     let [w0, w1] = row.weight.map(splat);
-                    let shapes = &self.shapes[row.site_block * LANES..][..row.blocks * LANES];
-                    let cos2 = vectors::<S>(self.sites.cos2_of(row));
-                    let values = vectors::<S>(self.sites.values_of(row));
-                    for (site, (cos2, x)) in cos2.iter().zip(vectors::<S>(shapes)).enumerate() {
+                    let shapes = &self.shapes[row.first_block * LANES..][..row.blocks * LANES];
+                    let cos2 = vectors::<S>(self.cells.cos2_of(row));
+                    let values = vectors::<S>(self.cells.values_of(row));
+                    for (vector, (cos2, x)) in cos2.iter().zip(vectors::<S>(shapes)).enumerate() {
                         let x = Lanes::new(simd, *x);
                         let weight = w1.mul_add(Lanes::new(simd, *cos2), w0);
                         let model = b.mul_add(x, a);
                         let width = band.mul_add(model, floor);
                         let [mut push, mut inside, mut all] = [zero; 3];
-                        let values = block_of::<S, COPIES>(values, site);
-                        for copy in 0..COPIES {
-                            let plane = (3 * copy + channel) * per_block::<S>();
+                        let values = block_of::<S, MIRRORS>(values, vector);
+                        for mirror in 0..MIRRORS {
+                            let plane = (3 * mirror + channel) * per_block::<S>();
                             let measured = Lanes::new(simd, values[plane]);
                             let weight = weight.where_le(zero, measured);
                             let r = model - measured;
@@ -100,7 +101,7 @@ impl RegressionPass<'_> {
 
 /// The sums of all channels at these amplitudes. A channel's band is `bands · f̂ + floor`, f̂ its model.
 pub fn regression(
-    sites: &Sites,
+    cells: &SymmetricCells,
     shapes: &[f32],
     amplitudes: &Amplitudes,
     bands: [f64; 3],
@@ -108,9 +109,9 @@ pub fn regression(
     threads: Threads,
 ) -> [ChannelSums; 3] {
     let work = |slab: Range<usize>| {
-        lanes::dispatch(RegressionPass {
-            sites,
-            rows: &sites.rows[slab],
+        simd::dispatch(RegressionPass {
+            cells,
+            rows: &cells.rows[slab],
             shapes,
             amplitudes,
             bands: bands.map(|x| x as f32),
@@ -118,7 +119,7 @@ pub fn regression(
         })
     };
     let mut sums = [ChannelSums::default(); 3];
-    over_slabs(sites, threads, work, |part| {
+    over_slabs(cells, threads, work, |part| {
         for (sum, part) in sums.iter_mut().zip(part) {
             sum.error += part.error;
             (0..2).for_each(|k| sum.slope[k] += part.slope[k]);

@@ -1,9 +1,11 @@
 //! The error in parts: per channel, and of the grazing cells.
 
-use super::super::lanes::{self, Kernel, LANES, Lanes, vectors};
-use super::super::shape::{Lobe, Threads};
-use super::super::sites::{Row, Sites};
-use super::{Amplitudes, ROWS_PER_SUM, RowLanes, block_of, over_slabs, per_block};
+use super::super::amplitudes::Amplitudes;
+use super::super::lobe_kernel::LobeKernel;
+use super::super::simd::{self, Kernel, LANES, Lanes, vectors};
+use super::super::symmetric_cells::{CellRow, SymmetricCells};
+use super::super::threads::Threads;
+use super::rows::{ROWS_PER_SUM, RowLanes, block_of, over_slabs, per_block};
 use pulp::Simd;
 use std::ops::Range;
 
@@ -17,9 +19,9 @@ pub struct Parts {
 }
 
 struct PartsPass<'a> {
-    lobe: &'a Lobe,
-    sites: &'a Sites,
-    rows: &'a [Row],
+    lobe: &'a LobeKernel,
+    cells: &'a SymmetricCells,
+    rows: &'a [CellRow],
     amplitudes: &'a Amplitudes,
 }
 
@@ -27,7 +29,7 @@ impl Kernel for PartsPass<'_> {
     type Output = Parts;
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> Parts {
-        match self.sites.copies {
+        match self.cells.mirror_count {
             2 => self.sum::<S, 2>(simd),
             _ => self.sum::<S, 4>(simd),
         }
@@ -36,7 +38,7 @@ impl Kernel for PartsPass<'_> {
 
 impl PartsPass<'_> {
     #[inline(always)]
-    fn sum<S: Simd, const COPIES: usize>(self, simd: S) -> Parts {
+    fn sum<S: Simd, const MIRRORS: usize>(self, simd: S) -> Parts {
         let splat = |x: f32| Lanes::splat(simd, x);
         let zero = splat(0.0);
         let diffuse = self.amplitudes.diffuse.map(|a| splat(a as f32));
@@ -49,16 +51,16 @@ impl PartsPass<'_> {
             let mut grazing = zero;
             for row in rows {
                 let lanes = RowLanes::new(simd, row, &self.lobe.row(row));
-                let values = vectors::<S>(self.sites.values_of(row));
-                for (site, cos2) in vectors::<S>(self.sites.cos2_of(row)).iter().enumerate() {
+                let values = vectors::<S>(self.cells.values_of(row));
+                for (vector, cos2) in vectors::<S>(self.cells.cos2_of(row)).iter().enumerate() {
                     let cos2 = Lanes::new(simd, *cos2);
                     let shape = lanes.point(simd, cos2).shape;
                     let weight = lanes.weight(cos2);
-                    let values = block_of::<S, COPIES>(values, site);
+                    let values = block_of::<S, MIRRORS>(values, vector);
                     let mut here = [zero; 3];
-                    for copy in 0..COPIES {
+                    for mirror in 0..MIRRORS {
                         for channel in 0..3 {
-                            let plane = (3 * copy + channel) * per_block::<S>();
+                            let plane = (3 * mirror + channel) * per_block::<S>();
                             let measured = Lanes::new(simd, values[plane]);
                             let weight = weight.where_le(zero, measured);
                             let model = specular[channel].mul_add(shape, diffuse[channel]);
@@ -66,7 +68,7 @@ impl PartsPass<'_> {
                         }
                     }
                     (0..3).for_each(|k| channels[k] = channels[k] + here[k]);
-                    let first = (site * S::F32_LANES) as f32;
+                    let first = (vector * S::F32_LANES) as f32;
                     let last = splat(row.grazing_end as f32 - 1.0 - first);
                     let all = here[0] + here[1] + here[2];
                     grazing = grazing + all.where_le(places, last);
@@ -80,17 +82,22 @@ impl PartsPass<'_> {
 }
 
 /// The parts of E of a model.
-pub fn parts(lobe: &Lobe, sites: &Sites, amplitudes: &Amplitudes, threads: Threads) -> Parts {
+pub fn parts(
+    lobe: &LobeKernel,
+    cells: &SymmetricCells,
+    amplitudes: &Amplitudes,
+    threads: Threads,
+) -> Parts {
     let work = |slab: Range<usize>| {
-        lanes::dispatch(PartsPass {
+        simd::dispatch(PartsPass {
             lobe,
-            sites,
-            rows: &sites.rows[slab],
+            cells,
+            rows: &cells.rows[slab],
             amplitudes,
         })
     };
     let mut sum = Parts::default();
-    over_slabs(sites, threads, work, |part| {
+    over_slabs(cells, threads, work, |part| {
         (0..3).for_each(|k| sum.channels[k] += part.channels[k]);
         sum.grazing += part.grazing;
     });

@@ -6,7 +6,7 @@
 
 /// A cell: x = R_F · lobe, its f_r and its weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cell {
+pub struct Observation {
     /// Factor of b.
     pub x: f64,
     /// Measured.
@@ -17,9 +17,9 @@ pub struct Cell {
 
 /// The sum to be minimised.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Sum {
+pub struct L1Sum {
     /// Cells whose residual may change its sign.
-    pub cells: Vec<Cell>,
+    pub cells: Vec<Observation>,
     /// Slopes in a and b of all the others.
     pub linear: [f64; 2],
     /// Bounds of a and b.
@@ -31,7 +31,7 @@ const STEPS: usize = 500;
 /// Lines through a point that are followed at most.
 const MOST_LINES: usize = 64;
 
-impl Sum {
+impl L1Sum {
     /// The sum at (a, b), up to a constant of the cells that are not here.
     pub fn value(&self, [a, b]: [f64; 2]) -> f64 {
         let cells = self
@@ -169,7 +169,7 @@ mod tests {
     }
 
     /// Tries every crossing of two lines, of a line and a bound, and of two bounds.
-    fn brute_force(sum: &Sum) -> f64 {
+    fn brute_force(sum: &L1Sum) -> f64 {
         let within =
             |k: usize, v: f64| v >= sum.bounds[k].0 - 1e-12 && v <= sum.bounds[k].1 + 1e-12;
         let mut points = Vec::new();
@@ -208,13 +208,13 @@ mod tests {
             let steps = if seed % 2 == 0 { 4.0 } else { 1e9 };
             let mut coarse = |scale: f64| (unit() * steps).floor() / steps * scale;
             let cells = (0..count)
-                .map(|_| Cell {
+                .map(|_| Observation {
                     x: coarse(1.0).powi(2),
                     f: coarse(2.0),
                     w: 0.1 + coarse(1.0),
                 })
                 .collect();
-            let sum = Sum {
+            let sum = L1Sum {
                 cells,
                 linear: [0.2 * coarse(1.0), 0.1 - 0.2 * coarse(1.0)],
                 bounds: [(0.0, 10.0), (0.25 * coarse(1.0), 50.0)],

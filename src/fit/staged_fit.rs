@@ -2,17 +2,20 @@
 
 mod descents;
 
-use super::cells;
-use super::objective::{Candidate, Follow, Space};
+use super::amplitudes::AmplitudeBounds;
+use super::diagnostics;
+use super::exact_l1;
+use super::kernels;
+use super::lobe_kernel::{LobeKernel, LobeShape, SearchPoint};
+use super::multistart::{self, StartGrid};
+use super::objective::{AmplitudeRule, Candidate, SearchSpace};
 use super::options::{Options, STAGES, Stage, Variant};
-use super::outcome::{ALBEDO_ANGLES, Ended, Errors, Outcome, Progress, StageReport};
-use super::passes::Amplitudes;
-use super::regression::{self, Effort, Limits};
-use super::shape::{Lobe, Point, Shape, Threads};
-use super::starts::{self, Grid};
-use super::{Problem, Watch, concerns};
+use super::outcome::{ALBEDO_ANGLES, Ended, Errors, Outcome, Progress, StageReport, Watch};
+use super::problem::Problem;
+use super::regression::{self, Effort};
+use super::threads::Threads;
 use crate::brdf::{Brdf, Params, albedo};
-use descents::Level;
+use descents::Refinement;
 use std::ops::ControlFlow;
 
 /// A candidate as it is given out, with its E over all cells.
@@ -26,10 +29,10 @@ struct Best {
 }
 
 /// A fit under way.
-pub(super) struct Engine<'a, 'w> {
+pub(super) struct StagedFit<'a, 'w> {
     problem: &'a Problem,
     options: &'a Options,
-    space: Space,
+    space: SearchSpace,
     watch: Watch<'w>,
     /// What the watcher was last told.
     shown: Option<Progress>,
@@ -38,7 +41,7 @@ pub(super) struct Engine<'a, 'w> {
     /// The starts that the data suggest, once they are asked for.
     starts: Option<Vec<Candidate>>,
     /// What they are chosen from, and other fits too.
-    grid: &'w mut Grid,
+    grid: &'w mut StartGrid,
     /// Contained fits, with the numbers that they were given out with.
     known: Vec<(Candidate, Params)>,
     stages: Vec<StageReport>,
@@ -48,22 +51,22 @@ pub(super) struct Engine<'a, 'w> {
 
 /// Fits what the variant contains, asking every now and then whether to go on; with the errors of each.
 type Contained<'c> = &'c mut dyn FnMut(
-    &mut Grid,
+    &mut StartGrid,
     &mut (dyn FnMut() -> ControlFlow<()> + Send),
 ) -> Vec<(Brdf, Errors)>;
 
-impl<'a, 'w> Engine<'a, 'w> {
+impl<'a, 'w> StagedFit<'a, 'w> {
     pub fn new(
         problem: &'a Problem,
         variant: Variant,
         options: &'a Options,
-        grid: &'w mut Grid,
+        grid: &'w mut StartGrid,
         watch: Watch<'w>,
     ) -> Self {
         Self {
             problem,
             options,
-            space: Space::new(variant, options, problem.units()),
+            space: SearchSpace::new(variant, options, problem.units()),
             watch,
             shown: None,
             cancelled: false,
@@ -126,7 +129,7 @@ impl<'a, 'w> Engine<'a, 'w> {
                 (_, true) => Ended::Limit,
                 _ => Ended::Converged,
             },
-            concerns: concerns::of(&brdf, self.options, &albedo),
+            concerns: diagnostics::diagnose(&brdf, self.options, &albedo),
             albedo,
         }
     }
@@ -152,10 +155,10 @@ impl<'a, 'w> Engine<'a, 'w> {
             None => Params::default(),
         };
         params = self.options.held.over(given.over(params));
-        let point = self.space.clamp(Shape::of(variant, &params).point());
+        let point = self.space.clamp(LobeShape::of(variant, &params).point());
         let mut objective = self.objective(
             &self.problem.coarse,
-            Follow::Solved(self.space.limits),
+            AmplitudeRule::Optimised(self.space.limits),
             None,
         );
         let mut start = objective.error(point);
@@ -174,7 +177,7 @@ impl<'a, 'w> Engine<'a, 'w> {
     fn starts(&mut self) -> &[Candidate] {
         let (coarse, space) = (&self.problem.coarse, &self.space);
         self.starts
-            .get_or_insert_with(|| starts::from_data(coarse, space, self.grid))
+            .get_or_insert_with(|| multistart::best_starts(coarse, space, self.grid))
     }
 
     /// Stage 1.
@@ -185,7 +188,7 @@ impl<'a, 'w> Engine<'a, 'w> {
 
     /// Stage 2.
     fn shape(&mut self, before: &Best) -> Vec<Best> {
-        let follow = Follow::Held(before.candidate.amplitudes);
+        let follow = AmplitudeRule::Fixed(before.candidate.amplitudes);
         let found = self.descend_levels(&before.candidate, follow);
         vec![self.measure(found)]
     }
@@ -194,14 +197,14 @@ impl<'a, 'w> Engine<'a, 'w> {
     fn shape_and_specular(&mut self, before: &Best) -> Vec<Best> {
         let mut limits = self.space.limits;
         limits.diffuse = before.candidate.amplitudes.diffuse.map(|a| (a, a));
-        let found = self.descend_levels(&before.candidate, Follow::Solved(limits));
+        let found = self.descend_levels(&before.candidate, AmplitudeRule::Optimised(limits));
         vec![self.last_word(found, &limits)]
     }
 
     /// Stage 4: from the data's starts on the small sample, from the best of these, from the end of the stages
     /// before and from what is contained on the larger one, and from the best of all on all cells.
     fn joint(&mut self, before: &Best, contained: Contained) -> Vec<Best> {
-        let follow = Follow::Solved(self.space.limits);
+        let follow = AmplitudeRule::Optimised(self.space.limits);
         let mut found = Vec::new();
         let mut near: Vec<Candidate> = vec![before.candidate];
         let contained = {
@@ -213,7 +216,7 @@ impl<'a, 'w> Engine<'a, 'w> {
             found
         };
         for (brdf, errors) in contained {
-            let point = Shape::of(Variant::from(&brdf), &brdf.params).point();
+            let point = LobeShape::of(Variant::from(&brdf), &brdf.params).point();
             let (_, amplitudes) = self.problem.parts(&brdf);
             let candidate = Candidate {
                 point,
@@ -234,7 +237,7 @@ impl<'a, 'w> Engine<'a, 'w> {
         }
         let starts = self.starts().to_vec();
         let starts = starts.into_iter().map(|start| (start, None));
-        let mut ends = self.descend_side_by_side(starts, &Level::coarse(self.problem), follow);
+        let mut ends = self.descend_side_by_side(starts, &Refinement::coarse(self.problem), follow);
         if self.cancelled {
             found.extend(ends.first().map(|end| self.measure(end.0)));
             return found;
@@ -243,10 +246,10 @@ impl<'a, 'w> Engine<'a, 'w> {
             .first()
             .map_or(f64::INFINITY, |best| 1.03 * best.0.error);
         ends.retain(|end| end.0.error <= limit);
-        ends.dedup_by(|a, b| starts::same(a.0.point, b.0.point));
+        ends.dedup_by(|a, b| multistart::same(a.0.point, b.0.point));
         ends.truncate(2);
         ends.extend(near.into_iter().map(|candidate| (candidate, None)));
-        let medium = Level::medium(self.problem);
+        let medium = Refinement::medium(self.problem);
         let ends = self.descend_side_by_side(ends.into_iter(), &medium, follow);
         if let Some((start, curvature)) = ends.first() {
             if self.cancelled {
@@ -260,7 +263,7 @@ impl<'a, 'w> Engine<'a, 'w> {
     }
 
     /// The end of a descent with its solution made exact, unless nobody waits for that.
-    fn last_word(&self, end: Candidate, limits: &Limits) -> Best {
+    fn last_word(&self, end: Candidate, limits: &AmplitudeBounds) -> Best {
         if self.cancelled {
             self.measure(end)
         } else {
@@ -286,9 +289,9 @@ impl<'a, 'w> Engine<'a, 'w> {
     }
 
     /// The same after solving for the amplitudes: to the last cell, or to what a look at all of them promises.
-    fn solve(&self, near: &Candidate, limits: &Limits, exactly: bool) -> Best {
+    fn solve(&self, near: &Candidate, limits: &AmplitudeBounds, exactly: bool) -> Best {
         let all = &self.problem.all;
-        let shapes = self.lobe(near.point).shapes(all);
+        let shapes = kernels::shapes(&self.lobe(near.point), all);
         let (mut amplitudes, _) = regression::solve(
             all,
             &shapes,
@@ -298,7 +301,7 @@ impl<'a, 'w> Engine<'a, 'w> {
             Threads::Many,
         );
         if exactly {
-            amplitudes = cells::exact(all, &shapes, &amplitudes, limits);
+            amplitudes = exact_l1::solve(all, &shapes, &amplitudes, limits);
         }
         self.measure(Candidate {
             amplitudes,
@@ -306,8 +309,8 @@ impl<'a, 'w> Engine<'a, 'w> {
         })
     }
 
-    fn lobe(&self, point: Point) -> Lobe {
-        Lobe::new(Shape::at(point), self.space.variant.fresnel)
+    fn lobe(&self, point: SearchPoint) -> LobeKernel {
+        LobeKernel::new(LobeShape::at(point), self.space.variant.fresnel)
     }
 
     fn brdf(&self, candidate: &Candidate) -> Brdf {
@@ -360,18 +363,4 @@ impl<'a, 'w> Engine<'a, 'w> {
         let within = 1.0 - (-0.05 * self.evaluations as f32).exp();
         (done + cost(self.stage) * within) / total.max(1.0)
     }
-}
-
-/// The best amplitudes within limits for the shape of a model, whatever its own are: stage 1 alone.
-pub(super) fn best_amplitudes(problem: &Problem, brdf: &Brdf, limits: &Limits) -> Amplitudes {
-    let all = &problem.all;
-    let (lobe, _) = problem.parts(brdf);
-    let shapes = lobe.shapes(all);
-    let start = regression::cold(all, limits);
-    let effort = Effort {
-        band: Effort::COLD.band,
-        ..Effort::CLOSE
-    };
-    let (near, _) = regression::solve(all, &shapes, &start, limits, effort, Threads::Many);
-    cells::exact(all, &shapes, &near, limits)
 }

@@ -4,18 +4,18 @@
 //! one kernel serves all. A model outside this family needs a kernel of its own here.
 
 use super::options::{SMALLEST_ETA, Variant};
-use super::sites::{Row, Sites};
+use super::symmetric_cells::CellRow;
 use crate::brdf::{Fresnel, Params};
 use crate::measured::Grid;
 use crate::measured::grid::{THETA_D_BINS, THETA_H_BINS};
 use std::sync::LazyLock;
 
 /// What a search moves: (ln s, α, ln(η − 1)). In these a step means about the same anywhere.
-pub type Point = [f64; 3];
+pub type SearchPoint = [f64; 3];
 
 /// The numbers of a shape: s as the combined model means it, α, η.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shape {
+pub struct LobeShape {
     /// Exponent of the combined model.
     pub s: f64,
     /// 0 for Phong, 1 for Blinn-Phong.
@@ -24,7 +24,7 @@ pub struct Shape {
     pub eta: f64,
 }
 
-impl Shape {
+impl LobeShape {
     /// The shape of a variant with these parameters.
     pub fn of(variant: Variant, params: &Params) -> Self {
         Self {
@@ -35,7 +35,7 @@ impl Shape {
     }
 
     /// As a point of the search.
-    pub fn point(&self) -> Point {
+    pub fn point(&self) -> SearchPoint {
         [
             self.s.ln(),
             self.alpha,
@@ -44,7 +44,7 @@ impl Shape {
     }
 
     /// The shape at a point.
-    pub fn at(point: Point) -> Self {
+    pub fn at(point: SearchPoint) -> Self {
         Self {
             s: point[0].exp(),
             alpha: point[1],
@@ -82,8 +82,8 @@ static ANGLES: LazyLock<Angles> = LazyLock::new(|| {
 
 /// A shape made ready for passes.
 #[derive(Clone, Debug)]
-pub struct Lobe {
-    shape: Shape,
+pub struct LobeKernel {
+    shape: LobeShape,
     angles: &'static Angles,
     /// R_F per bin of θd.
     fresnel: [f64; THETA_D_BINS],
@@ -91,9 +91,9 @@ pub struct Lobe {
     fresnel_slope: [f64; THETA_D_BINS],
 }
 
-/// What a row of sites needs to know of a lobe.
+/// What a row of cells needs to know of a lobe.
 #[derive(Clone, Copy, Debug)]
-pub struct RowLobe {
+pub struct RowCoefficients {
     /// 1 − wr·wo = versine[0] + versine[1] · cos²φd.
     pub versine: [f32; 2],
     /// 1 − α
@@ -110,9 +110,9 @@ pub struct RowLobe {
     pub fresnel_slope: f64,
 }
 
-impl Lobe {
+impl LobeKernel {
     /// Of a shape with a Fresnel factor.
-    pub fn new(shape: Shape, fresnel: Fresnel) -> Self {
+    pub fn new(shape: LobeShape, fresnel: Fresnel) -> Self {
         let angles = &*ANGLES;
         let reflectance = |d: usize, eta: f64| fresnel.reflectance(angles.cos_d[d], eta);
         // A central difference in ln(η − 1): good to 1e-8, and right for any row of FRESNELS.
@@ -132,11 +132,11 @@ impl Lobe {
 
     /// Its numbers in a row.
     #[inline]
-    pub fn row(&self, row: &Row) -> RowLobe {
+    pub fn row(&self, row: &CellRow) -> RowCoefficients {
         let twice_sin2_h = self.angles.twice_sin2_h[row.theta_h];
         let versine4 = self.angles.versine4_h[row.theta_h];
         let (cos2_d, sin2_d) = self.angles.squares_d[row.theta_d];
-        RowLobe {
+        RowCoefficients {
             versine: [
                 (twice_sin2_h * cos2_d) as f32,
                 (twice_sin2_h * sin2_d) as f32,
@@ -149,25 +149,4 @@ impl Lobe {
             fresnel_slope: self.fresnel_slope[row.theta_d],
         }
     }
-
-    /// R_F · lobe at every site, by all threads.
-    pub fn shapes(&self, sites: &Sites) -> Vec<f32> {
-        let mut shapes = Vec::new();
-        self.fill(sites, &mut shapes, Threads::Many);
-        shapes
-    }
-
-    /// The same into memory that is there.
-    pub fn fill(&self, sites: &Sites, shapes: &mut Vec<f32>, threads: Threads) {
-        super::passes::fill(self, sites, shapes, threads);
-    }
-}
-
-/// Whether a pass is spread over the threads of the pool, or stays on the one it is called from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Threads {
-    /// For large sites.
-    Many,
-    /// For small ones, worked on side by side.
-    One,
 }

@@ -1,13 +1,14 @@
 //! Where a fit may begin: the best points of a grid over (s, α, η), on the small sample.
 
-use super::objective::{Candidate, Follow, Objective, Space};
-use super::regression::Limits;
-use super::shape::{Point, Threads};
-use super::sites::Sites;
+use super::amplitudes::AmplitudeBounds;
+use super::lobe_kernel::SearchPoint;
+use super::objective::{AmplitudeRule, Candidate, Objective, SearchSpace};
+use super::symmetric_cells::SymmetricCells;
+use super::threads::Threads;
 use crate::brdf::Fresnel;
 use rayon::prelude::*;
 
-/// Grid points per decade of s.
+/// StartGrid points per decade of s.
 const PER_DECADE: f64 = 2.5;
 const ALPHAS: [f64; 3] = [0.0, 0.5, 1.0];
 /// η − 1: a steep rise towards grazing, glass, hardly any rise.
@@ -18,20 +19,20 @@ const STARTS: usize = 5;
 /// The points of the grid that were evaluated, for all fits of one problem under the same options: those of Phong and
 /// Blinn-Phong are points of the combined model as well.
 #[derive(Debug, Default)]
-pub struct Grid(Vec<Chain>);
+pub struct StartGrid(Vec<Chain>);
 
 /// All s at one α and η.
 #[derive(Clone, Debug)]
 struct Chain {
     fresnel: Fresnel,
-    limits: Limits,
+    limits: AmplitudeBounds,
     alpha: f64,
     eta: f64,
     along: Vec<Candidate>,
 }
 
 impl Chain {
-    fn is_of(&self, space: &Space, exponents: &[f64], (alpha, eta): (f64, f64)) -> bool {
+    fn is_of(&self, space: &SearchSpace, exponents: &[f64], (alpha, eta): (f64, f64)) -> bool {
         self.fresnel == space.variant.fresnel
             && self.limits == space.limits
             && (self.alpha, self.eta) == (alpha, eta)
@@ -40,7 +41,11 @@ impl Chain {
 }
 
 /// The most promising points, the best first: local minima of the grid.
-pub fn from_data(coarse: &Sites, space: &Space, grid: &mut Grid) -> Vec<Candidate> {
+pub fn best_starts(
+    coarse: &SymmetricCells,
+    space: &SearchSpace,
+    grid: &mut StartGrid,
+) -> Vec<Candidate> {
     let exponents = even(space.bounds[0]);
     let alphas = choices(space.bounds[1], &ALPHAS);
     let etas = choices(space.bounds[2], &ETAS_LESS_1.map(f64::ln));
@@ -59,7 +64,7 @@ pub fn from_data(coarse: &Sites, space: &Space, grid: &mut Grid) -> Vec<Candidat
         .map(|at| {
             let (alpha, eta) = *at;
             known(at).cloned().unwrap_or_else(|| {
-                let follow = Follow::Solved(space.limits);
+                let follow = AmplitudeRule::Optimised(space.limits);
                 let mut objective = Objective::new(coarse, fresnel, follow, None, Threads::One);
                 let points = exponents.iter().map(|ln_s| [*ln_s, alpha, eta]);
                 Chain {
@@ -138,6 +143,6 @@ fn best_minima(grid: &[Chain]) -> Vec<Candidate> {
 }
 
 /// Whether two points are the same for all that a fit can tell.
-pub fn same(a: Point, b: Point) -> bool {
+pub fn same(a: SearchPoint, b: SearchPoint) -> bool {
     (a[0] - b[0]).abs() < 0.02 && (a[1] - b[1]).abs() < 0.005 && (a[2] - b[2]).abs() < 0.02
 }

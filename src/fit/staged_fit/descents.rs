@@ -1,29 +1,30 @@
 //! The descents of the stages: side by side on a sample, alone on all cells.
 
 use super::super::descent::{self, Rules};
-use super::super::objective::{Candidate, Follow, Objective};
-use super::super::shape::Threads;
-use super::super::sites::Sites;
-use super::super::{Problem, Progress, Watch};
-use super::Engine;
+use super::super::objective::{AmplitudeRule, Candidate, Objective};
+use super::super::outcome::{Progress, Watch};
+use super::super::problem::Problem;
+use super::super::symmetric_cells::SymmetricCells;
+use super::super::threads::Threads;
+use super::StagedFit;
 use crate::brdf::Brdf;
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use std::sync::{Mutex, PoisonError};
 
 /// How far a descent goes on some of the cells.
-pub(super) struct Level<'a> {
-    sites: &'a Sites,
+pub(super) struct Refinement<'a> {
+    cells: &'a SymmetricCells,
     threads: Threads,
     tolerance: f64,
     evaluations: usize,
 }
 
-impl<'a> Level<'a> {
+impl<'a> Refinement<'a> {
     /// To sort out starts.
     pub(super) fn coarse(problem: &'a Problem) -> Self {
         Self {
-            sites: &problem.coarse,
+            cells: &problem.coarse,
             threads: Threads::One,
             tolerance: 1e-4,
             evaluations: 60,
@@ -33,7 +34,7 @@ impl<'a> Level<'a> {
     /// To come near.
     pub(super) fn medium(problem: &'a Problem) -> Self {
         Self {
-            sites: &problem.medium,
+            cells: &problem.medium,
             tolerance: 1e-5,
             ..Self::coarse(problem)
         }
@@ -42,7 +43,7 @@ impl<'a> Level<'a> {
     /// To come near where all cells have a say, before another stage goes on.
     fn all(problem: &'a Problem) -> Self {
         Self {
-            sites: &problem.all,
+            cells: &problem.all,
             threads: Threads::Many,
             ..Self::coarse(problem)
         }
@@ -79,13 +80,13 @@ impl Watched<'_> {
     }
 }
 
-impl<'a> Engine<'a, '_> {
+impl<'a> StagedFit<'a, '_> {
     /// Descents on a sample from several points, each on a thread of its own; the best end first.
     pub(super) fn descend_side_by_side(
         &mut self,
         starts: impl Iterator<Item = (Candidate, Option<DMat3>)>,
-        level: &Level,
-        follow: Follow,
+        level: &Refinement,
+        follow: AmplitudeRule,
     ) -> Vec<(Candidate, Option<DMat3>)> {
         let starts: Vec<_> = starts.collect();
         let rules = self.rules(level);
@@ -100,7 +101,7 @@ impl<'a> Engine<'a, '_> {
             .map(|(start, curvature)| {
                 let fresnel = space.variant.fresnel;
                 let mut objective =
-                    Objective::new(level.sites, fresnel, follow, Some(start), level.threads);
+                    Objective::new(level.cells, fresnel, follow, Some(start), level.threads);
                 let mut evaluate = |p: DVec3| {
                     let value = objective.value(p.to_array());
                     let best = objective.best?;
@@ -126,11 +127,11 @@ impl<'a> Engine<'a, '_> {
     }
 
     /// A descent on the larger sample and then on all cells.
-    pub(super) fn descend_levels(&mut self, start: &Candidate, follow: Follow) -> Candidate {
+    pub(super) fn descend_levels(&mut self, start: &Candidate, follow: AmplitudeRule) -> Candidate {
         let near = std::iter::once((*start, None));
-        let alone = Level {
+        let alone = Refinement {
             threads: Threads::Many,
-            ..Level::medium(self.problem)
+            ..Refinement::medium(self.problem)
         };
         let ends = self.descend_side_by_side(near, &alone, follow);
         match ends.first() {
@@ -145,15 +146,15 @@ impl<'a> Engine<'a, '_> {
         &mut self,
         start: &Candidate,
         curvature: Option<DMat3>,
-        follow: Follow,
+        follow: AmplitudeRule,
     ) -> Candidate {
         let level = if self.is_last() {
-            Level::last(self.problem)
+            Refinement::last(self.problem)
         } else {
-            Level::all(self.problem)
+            Refinement::all(self.problem)
         };
         let rules = self.rules(&level);
-        let mut objective = self.objective(level.sites, follow, Some(start));
+        let mut objective = self.objective(level.cells, follow, Some(start));
         let mut evaluate = |p: DVec3| {
             let value = objective.value(p.to_array());
             self.evaluations += 1;
@@ -174,7 +175,7 @@ impl<'a> Engine<'a, '_> {
         objective.best.unwrap_or(*start)
     }
 
-    fn rules(&self, level: &Level) -> Rules {
+    fn rules(&self, level: &Refinement) -> Rules {
         Rules {
             bounds: self.space.bounds,
             tolerance: level.tolerance,
@@ -185,12 +186,12 @@ impl<'a> Engine<'a, '_> {
 
     pub(super) fn objective(
         &self,
-        sites: &'a Sites,
-        follow: Follow,
+        cells: &'a SymmetricCells,
+        follow: AmplitudeRule,
         near: Option<&Candidate>,
     ) -> Objective<'a> {
         Objective::new(
-            sites,
+            cells,
             self.space.variant.fresnel,
             follow,
             near,

@@ -12,7 +12,7 @@ const NEAR_ONE: f64 = 0.02;
 const FEWEST_BINS: usize = 4;
 
 /// The concerns about a fitted model, the gravest first.
-pub fn of(brdf: &Brdf, options: &Options, albedo: &[Rgb]) -> Vec<Concern> {
+pub fn diagnose(brdf: &Brdf, options: &Options, albedo: &[Rgb]) -> Vec<Concern> {
     let mut found = Vec::new();
     let free = |id: ParamId| brdf.uses(id) && !options.held.has(id);
     if brdf.params.k_s.iter().all(|k_s| *k_s <= 0.0) {
