@@ -204,13 +204,13 @@ fn mirrored(grid: Grid, phi_d: usize) -> impl Iterator<Item = usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::brdf::{Fresnel, MODELS, Params};
+    use crate::brdf::{COMBINED, Fresnel, Params};
     use crate::fit::Problem;
     use crate::fit::options::{NO_LIMIT, WEIGHTS};
 
     fn brdf(s: f64) -> Brdf {
         Brdf {
-            model: MODELS[2],
+            model: &COMBINED,
             fresnel: Fresnel::Exact,
             params: Params {
                 rho_d: [0.3, 0.2, 0.1],

@@ -1,6 +1,6 @@
 //! A first guess of the parameters, read off the data: where the sliders stand when a material opens.
 
-use crate::brdf::{Brdf, Fresnel, MODELS, Params};
+use crate::brdf::{Brdf, COMBINED, Fresnel, Params};
 use crate::geom::{Cosines, Rgb};
 use crate::measured::Table;
 use crate::measured::grid::{THETA_D_BINS, THETA_H_BINS};
@@ -29,7 +29,7 @@ struct Sample {
 pub fn from_table(table: &Table) -> Brdf {
     let samples = samples(table);
     let mut best = Brdf {
-        model: MODELS[2],
+        model: &COMBINED,
         fresnel: Fresnel::Exact,
         params: Params::default(),
     };
@@ -172,7 +172,7 @@ mod tests {
     #[test]
     fn the_guess_is_near_the_model_that_made_the_data() {
         let mut truth = Brdf {
-            model: MODELS[2],
+            model: &COMBINED,
             fresnel: Fresnel::Exact,
             params: Params {
                 rho_d: [0.3, 0.2, 0.1],

@@ -9,7 +9,7 @@ use super::options::{Options, Variant};
 use super::problem::Problem;
 use super::symmetric_cells::SymmetricCells;
 use super::threads::Threads;
-use crate::brdf::{Brdf, Fresnel, MODELS, Model, ParamId, Params, params};
+use crate::brdf::{Brdf, Fresnel, MODELS, Model, PHONG, ParamId, Params, params};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 
@@ -65,7 +65,7 @@ pub fn model() -> &'static Model {
     MODELS
         .into_iter()
         .find(|model| model.alpha.is_none())
-        .unwrap_or(MODELS[0])
+        .unwrap_or(&PHONG)
 }
 
 /// Makes a landscape; `None` where `follow` breaks. The same for any number of threads.

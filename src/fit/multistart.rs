@@ -8,7 +8,7 @@ use super::threads::Threads;
 use crate::brdf::Fresnel;
 use rayon::prelude::*;
 
-/// StartGrid points per decade of s.
+/// Grid points per decade of s.
 const PER_DECADE: f64 = 2.5;
 const ALPHAS: [f64; 3] = [0.0, 0.5, 1.0];
 /// η − 1: a steep rise towards grazing, glass, hardly any rise.

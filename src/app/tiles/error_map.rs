@@ -11,7 +11,7 @@ use crate::app::update::Msg;
 use crate::app::views::background::Data;
 use crate::app::views::error_map::{ErrorMapView, ErrorWish};
 use crate::app::views::image;
-use crate::export::made::bins;
+use crate::export::fit_output::bins;
 use crate::figure::Mark;
 use crate::figure::error_map::{ErrorSpec, Plane};
 use crate::figure::heatmap::{Field, Spot};

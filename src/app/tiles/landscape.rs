@@ -9,7 +9,7 @@ use crate::app::state::State;
 use crate::app::update::Msg;
 use crate::app::views::landscape::{LandscapeView, LandscapeWish, path, place};
 use crate::brdf::Fresnel;
-use crate::export::made::terrain;
+use crate::export::fit_output::terrain;
 use crate::figure::heatmap::View;
 use crate::figure::landscape::{LandscapeSpec, Terrain};
 use crate::fit::landscape::{Eta, Landscape};

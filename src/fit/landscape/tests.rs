@@ -1,4 +1,5 @@
 use super::*;
+use crate::brdf::{BLINN_PHONG, PHONG};
 use crate::fit::options::{NO_LIMIT, Weight};
 use crate::measured::{Grid, Table};
 
@@ -64,7 +65,7 @@ fn the_bottom_is_where_the_data_were_made() {
 fn the_edges_are_phong_and_blinn_phong() {
     let problem = problem(&truth());
     let found = made(&problem, Fresnel::None, Eta::Optimised);
-    for (model, alpha, ratio) in [(MODELS[0], 0.0, 1.0), (MODELS[1], 1.0, 4.0)] {
+    for (model, alpha, ratio) in [(&PHONG, 0.0, 1.0), (&BLINN_PHONG, 1.0, 4.0)] {
         let mut others_differ = 0;
         for column in [12, 16, 20] {
             let s = found.s[column];

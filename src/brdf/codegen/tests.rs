@@ -1,6 +1,6 @@
 use super::*;
 use crate::brdf::fresnel::FRESNELS;
-use crate::brdf::{MODELS, Params};
+use crate::brdf::{Brdf, Fresnel, MODELS, Params};
 
 fn brdf(model: usize, fresnel: Fresnel) -> Brdf {
     Brdf {

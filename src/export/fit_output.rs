@@ -1,10 +1,10 @@
 //! What panels show and only a fit can tell: landscapes and error maps.
 
-use super::ExportError;
+use super::error::ExportError;
 use crate::brdf::Fresnel;
 use crate::figure::error_map::Plane;
 use crate::figure::landscape::Terrain;
-use crate::figure::page::{ErrorMapSpec, LandscapePanel, Made, ViewSpec};
+use crate::figure::page::{ErrorMapSpec, FitOutput, LandscapePanel, ViewSpec};
 use crate::figure::subject::{Source, Subject};
 use crate::fit::error_map::{Bin, DIRECTION_BINS, ErrorMap, error_map};
 use crate::fit::landscape::{self, Eta, Landscape, landscape};
@@ -21,7 +21,7 @@ pub(super) fn of_panel(
     view: &ViewSpec,
     subjects: &[&Subject],
     follow: &mut dyn FnMut() -> ControlFlow<()>,
-) -> Result<Option<Made>, ExportError> {
+) -> Result<Option<FitOutput>, ExportError> {
     match view {
         ViewSpec::Landscape(spec) => of_landscape(spec, data(subjects, view)?, follow).map(Some),
         ViewSpec::ErrorMap(spec) => of_error_map(spec, subjects, view).map(Some),
@@ -33,7 +33,7 @@ fn of_landscape(
     spec: &LandscapePanel,
     table: &Table,
     follow: &mut dyn FnMut() -> ControlFlow<()>,
-) -> Result<Made, ExportError> {
+) -> Result<FitOutput, ExportError> {
     let fresnel = Fresnel::by_key(&spec.fresnel)
         .ok_or_else(|| unknown("fresnel", &spec.fresnel, "none, exact, schlick"))?;
     let eta = match (fresnel, spec.eta) {
@@ -51,7 +51,7 @@ fn of_landscape(
         let params = brdf.with_model(landscape::model()).params;
         ([params.s, params.alpha], 100.0 * error)
     });
-    Ok(Made::Landscape {
+    Ok(FitOutput::Landscape {
         terrain: terrain(&made),
         best,
     })
@@ -61,7 +61,7 @@ fn of_error_map(
     spec: &ErrorMapSpec,
     subjects: &[&Subject],
     view: &ViewSpec,
-) -> Result<Made, ExportError> {
+) -> Result<FitOutput, ExportError> {
     let table = data(subjects, view)?;
     let model = subjects.iter().find_map(|subject| match &subject.source {
         Source::Model(brdf) => Some(brdf),
@@ -72,7 +72,7 @@ fn of_error_map(
     })?;
     let map = error_map(table, weight(&spec.weight)?, spec.limit, model).map_err(no_problem)?;
     let (bins, columns) = bins(spec.plane, &map);
-    Ok(Made::ErrorMap {
+    Ok(FitOutput::ErrorMap {
         parts: bins.iter().map(|bin| bin.map(|bin| bin.error)).collect(),
         columns,
         total: map.total,

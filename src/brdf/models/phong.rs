@@ -8,11 +8,13 @@
 //! `f_r = ρ_d/π + ρ_s (s+2)/(2π) (wr·wo)^s` [Nielsen14] after [AkenineMoller08]. At grazing angles the highlight
 //! stretches into a broad band.
 
-use super::{Model, Params, params};
+use crate::brdf::model::Model;
+use crate::brdf::params::{self, Params};
 use crate::geom::Cosines;
 use std::f64::consts::PI;
 
-pub(super) static MODEL: Model = Model {
+/// The row of this model.
+pub static MODEL: Model = Model {
     key: "phong",
     name: "Phong",
     source: "[Nielsen14] after [AkenineMoller08]",

@@ -1,7 +1,16 @@
 //! WGSL as GLSL, for the part of WGSL in which the twins of the models are written: functions, structs, `if` and
 //! arithmetic, with the type of every `let` and `var` written out and no types but f32, u32 and vectors.
 
-use super::items::{is_word, tokens};
+use super::items::{Items, is_word, tokens};
+use super::parts::{USE, ascii, entry, head, library};
+use crate::brdf::Brdf;
+
+/// A GLSL text that defines `vec3 brdf(vec3 wi, vec3 wo)`, the twin of [`Brdf::f_r`] with 0 below the horizon, for GLSL 1.30 and GLSL ES 3.00 and later.
+pub fn glsl(brdf: &Brdf, material: Option<&str>) -> String {
+    let items = Items::new(&[&library(brdf), &entry(brdf)]);
+    let text = from_wgsl(&items.needed_by("brdf"));
+    ascii(&(head(brdf, material, "//") + USE + &text))
+}
 
 /// The same in GLSL. What it does not know it leaves as it is.
 pub fn from_wgsl(text: &str) -> String {

@@ -8,11 +8,13 @@
 //! `f_r = ρ_d/π + ρ_s (s+8)/(8π) (wh·n)^s` [Nielsen14] after [AkenineMoller08]. At grazing angles the highlight is
 //! condensed towards the plane of incidence.
 
-use super::{Model, Param, Params, params};
+use crate::brdf::model::Model;
+use crate::brdf::params::{self, Param, Params};
 use crate::geom::Cosines;
 use std::f64::consts::PI;
 
-pub(super) static MODEL: Model = Model {
+/// The row of this model.
+pub static MODEL: Model = Model {
     key: "blinn-phong",
     name: "Blinn-Phong",
     source: "[Nielsen14] after [AkenineMoller08]",

@@ -1,7 +1,8 @@
 //! The `.brdf` files of Disney's BRDF Explorer: parameters with sliders, and a GLSL shader that reads them as uniforms.
 
+use super::glsl::from_wgsl;
 use super::items::Items;
-use super::{ascii, glsl, head, library, literal, used, values};
+use super::parts::{ascii, head, library, literal, used, values};
 use crate::brdf::Brdf;
 use crate::brdf::params::{Param, Scale};
 use std::fmt::Write as _;
@@ -44,7 +45,7 @@ pub fn disney(brdf: &Brdf, material: Option<&str>) -> String {
 "
     );
     let items = Items::new(&[&library(brdf), &function]);
-    let functions = glsl::from_wgsl(&items.needed_by("BRDF"));
+    let functions = from_wgsl(&items.needed_by("BRDF"));
     let _ = write!(
         text,
         "::end parameters\n\n::begin shader\n\n{functions}\n::end shader\n"

@@ -1,41 +1,17 @@
-//! A model with its numbers as text for other programs: a WGSL or a GLSL function to paste, and a Disney `.brdf` file.
-//!
-//! All of them are put together from the WGSL twins: the functions that this model and this Fresnel factor need, and
-//! no others. GLSL is the same text translated word by word. A new model needs nothing here.
+//! The parts that the texts are put together from: head, numbers, functions.
 
-mod disney;
-mod glsl;
-mod items;
-
-pub use disney::disney;
-
-use super::{Brdf, Fresnel, Param};
-use items::Items;
+use crate::brdf::{Brdf, Fresnel, Param};
 use std::fmt::Write as _;
 
-/// A WGSL text that defines `fn brdf(wi: vec3f, wo: vec3f) -> vec3f`, the twin of [`Brdf::f_r`] with 0 below the horizon.
-///
-/// `material` is named in its head. Everything else that it defines begins with `brdf_` or `Brdf`.
-pub fn wgsl(brdf: &Brdf, material: Option<&str>) -> String {
-    let items = Items::new(&[&library(brdf), &entry(brdf)]);
-    ascii(&(head(brdf, material, "//") + USE + &items.needed_by("brdf")))
-}
-
-/// The same in GLSL: `vec3 brdf(vec3 wi, vec3 wo)`, for GLSL 1.30 and GLSL ES 3.00 and later.
-pub fn glsl(brdf: &Brdf, material: Option<&str>) -> String {
-    let items = Items::new(&[&library(brdf), &entry(brdf)]);
-    let text = glsl::from_wgsl(&items.needed_by("brdf"));
-    ascii(&(head(brdf, material, "//") + USE + &text))
-}
-
-const USE: &str = "//
+/// How to call the function, as comments.
+pub(super) const USE: &str = "//
 // brdf(wi, wo) is f_r in 1/sr for linear R, G, B: without the cosine, and 0 below the horizon. wi to the light and wo to
 // the viewer are unit vectors in the local frame, z = n. Dot products are clamped at 0.
 
 ";
 
 /// What the text is, as comments: model, formula, sources, numbers, version.
-fn head(brdf: &Brdf, material: Option<&str>, comment: &str) -> String {
+pub(super) fn head(brdf: &Brdf, material: Option<&str>, comment: &str) -> String {
     let of = material.map_or(String::new(), |name| format!(" of {}", one_line(name)));
     let name = brdf.model.name;
     let version = env!("CARGO_PKG_VERSION");
@@ -68,13 +44,13 @@ fn head(brdf: &Brdf, material: Option<&str>, comment: &str) -> String {
 }
 
 /// The parameters that count, in the order of the rows.
-fn used(brdf: &Brdf) -> impl Iterator<Item = &'static Param> {
+pub(super) fn used(brdf: &Brdf) -> impl Iterator<Item = &'static Param> {
     let rows = brdf.model.params.iter();
     rows.filter(|row| brdf.uses(row.id))
 }
 
 /// A parameter's numbers, brought into its domain, on which the functions make no inf or NaN.
-fn values(brdf: &Brdf, row: &Param) -> Vec<f64> {
+pub(super) fn values(brdf: &Brdf, row: &Param) -> Vec<f64> {
     let values = brdf.params.get(row.id).iter();
     values.map(|value| row.clamp(*value)).collect()
 }
@@ -88,12 +64,12 @@ fn literal_list(brdf: &Brdf, row: &Param) -> String {
 }
 
 /// The shortest text that reads back as the same f64, as a literal of either language.
-fn literal(value: f64) -> String {
+pub(super) fn literal(value: f64) -> String {
     format!("{value:?}")
 }
 
 /// The twins that the model may need, and `with_params`, the BRDF for any numbers.
-fn library(brdf: &Brdf) -> String {
+pub(super) fn library(brdf: &Brdf) -> String {
     let mut text = String::from("struct Params {\n");
     for row in used(brdf) {
         let ty = if row.id.is_color() { "vec3f" } else { "f32" };
@@ -124,8 +100,8 @@ fn with_params(p: Params, wi: vec3f, wo: vec3f) -> vec3f {{
     text
 }
 
-/// The BRDF with its numbers.
-fn entry(brdf: &Brdf) -> String {
+/// The text of `fn brdf(wi, wo)` with the numbers of the model.
+pub(super) fn entry(brdf: &Brdf) -> String {
     let mut text =
         String::from("fn brdf(wi: vec3f, wo: vec3f) -> vec3f {\n    let p: Params = Params(\n");
     for row in used(brdf) {
@@ -148,7 +124,7 @@ fn one_line(name: &str) -> String {
 }
 
 /// Shader compilers need not know more than ASCII, not even in comments.
-fn ascii(text: &str) -> String {
+pub(super) fn ascii(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
@@ -165,6 +141,3 @@ fn ascii(text: &str) -> String {
     }
     out
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,11 +1,12 @@
 //! A model as a table: what a measurement of it would be, without noise.
 
-use super::{Grid, Table};
+use super::grid::Grid;
+use super::table::Table;
 use crate::brdf::Brdf;
 use rayon::prelude::*;
 
 /// f_r of the model at the centre of every cell; cells whose centre is below the horizon are invalid.
-pub fn modelled(brdf: &Brdf, grid: Grid) -> Table {
+pub fn tabulate(brdf: &Brdf, grid: Grid) -> Table {
     let cells = (0..grid.len()).into_par_iter().map(|index| {
         let (theta_h, theta_d, phi_d) = grid.bins(index);
         let c = grid.center(theta_h, theta_d, phi_d).cosines();
@@ -78,7 +79,7 @@ mod tests {
     fn a_merl_file_of_a_model_is_read_back_as_the_model_at_every_centre() {
         for (model, fresnel) in [(0, 0), (1, 2), (2, 1)] {
             let brdf = brdf(model, fresnel);
-            let table = modelled(&brdf, Grid::FOLDED);
+            let table = tabulate(&brdf, Grid::FOLDED);
             let (bytes, read) = written_and_read(&table);
             assert_eq!(bytes.len(), 34_992_012);
             let worst = worst_distance(&read, &brdf).expect("the same cells are valid");
@@ -90,14 +91,14 @@ mod tests {
         let brdf = brdf(2, 1);
         let mut planted = brdf;
         planted.params.s *= 1.0 + 1e-4;
-        let worst = worst_distance(&modelled(&planted, Grid::FOLDED), &brdf);
+        let worst = worst_distance(&tabulate(&planted, Grid::FOLDED), &brdf);
         assert!(worst.expect("the same cells are valid") > 10.0);
     }
 
     #[test]
     fn the_bytes_are_those_of_the_format() {
         let brdf = brdf(2, 1);
-        let (bytes, _) = written_and_read(&modelled(&brdf, Grid::FOLDED));
+        let (bytes, _) = written_and_read(&tabulate(&brdf, Grid::FOLDED));
         let stored = |cell: usize| {
             let at = 12 + 8 * cell;
             f64::from_le_bytes(std::array::from_fn(|k| bytes[at + k]))
@@ -118,7 +119,7 @@ mod tests {
         }
         // θh and θd near 90° with φd = 0 are below it.
         assert_eq!(stored(180 * (89 + 90 * 89)), -1.0);
-        let full = modelled(&brdf, Grid::FULL);
+        let full = tabulate(&brdf, Grid::FULL);
         assert_eq!(written_and_read(&full).0.len(), 69_984_012);
     }
 }

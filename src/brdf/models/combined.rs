@@ -10,10 +10,12 @@
 //! curvature at the peak under normal incidence, where wh turns half as far as wo, so that α changes the
 //! highlight at grazing angles and leaves the one seen from above.
 
-use super::{Model, Params, params};
+use crate::brdf::model::Model;
+use crate::brdf::params::{self, Params};
 use crate::geom::{Cosine, Cosines};
 
-pub(super) static MODEL: Model = Model {
+/// The row of this model.
+pub static MODEL: Model = Model {
     key: "combined",
     name: "Combined",
     source: "[Nielsen14], the poster's new model",
