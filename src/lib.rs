@@ -32,4 +32,5 @@ pub mod files;
 pub mod fit;
 pub mod geom;
 pub mod gpu;
+mod keys;
 pub mod measured;

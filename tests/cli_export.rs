@@ -3,7 +3,7 @@
 #[path = "common/program.rs"]
 mod program;
 
-use grazing::brdf::{Brdf, Fresnel, MODELS, Params, share};
+use grazing::brdf::{Brdf, COMBINED, Fresnel, Params, codegen};
 use grazing::geom::direction;
 use grazing::measured::{Lookup, merl};
 use program::{Folder, failed, grazing, stderr, stdout, succeeded};
@@ -21,7 +21,7 @@ const MODELS_JSON: &str = r#"[
 
 fn second() -> Brdf {
     Brdf {
-        model: MODELS[2],
+        model: &COMBINED,
         fresnel: Fresnel::Exact,
         params: Params {
             rho_d: [0.2, 0.1, 0.05],
@@ -45,9 +45,9 @@ fn the_extension_or_the_format_says_what_is_written() {
     let models = folder.file("models.json", MODELS_JSON);
     type Export = fn(&Brdf, Option<&str>) -> String;
     let kinds: [(&str, &str, Export); 3] = [
-        ("a.brdf", "disney", share::disney),
-        ("a.wgsl", "wgsl", share::wgsl),
-        ("a.glsl", "glsl", share::glsl),
+        ("a.brdf", "disney", codegen::disney),
+        ("a.wgsl", "wgsl", codegen::wgsl),
+        ("a.glsl", "glsl", codegen::glsl),
     ];
     for (name, format, text) in kinds {
         let wanted = text(&second(), Some("teflon"));

@@ -3,7 +3,7 @@
 #[path = "common/program.rs"]
 mod program;
 
-use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
+use grazing::brdf::{Brdf, COMBINED, Fresnel, MODELS, Params};
 use grazing::geom::direction;
 use grazing::measured::{Grid, Table, merl};
 use program::{Folder, failed, grazing, stderr, stdout, succeeded};
@@ -16,7 +16,7 @@ use std::process::Output;
 /// A small made-up material: the combined model as data, unmeasured below the horizon.
 fn material(folder: &Folder, name: &str, s: f64) -> PathBuf {
     let brdf = Brdf {
-        model: MODELS[2],
+        model: &COMBINED,
         fresnel: Fresnel::Exact,
         params: Params {
             rho_d: [0.3, 0.2, 0.1],

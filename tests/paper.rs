@@ -6,7 +6,7 @@ use common::skip_gpu;
 use egui::{Color32, Rect, pos2, vec2};
 use egui_kittest::Harness;
 use grazing::app::widgets::paint::paint;
-use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
+use grazing::brdf::{Brdf, COMBINED, Fresnel, PHONG, Params};
 use grazing::figure::drawing::{Drawing, Item};
 use grazing::figure::heatmap::HeatMap;
 use grazing::figure::image_slice::ImageSpec;
@@ -61,7 +61,7 @@ fn apart(a: &Picture, b: &Picture) -> f64 {
 
 fn drawings() -> Vec<(&'static str, Drawing)> {
     let brdf = Brdf {
-        model: MODELS[2],
+        model: &COMBINED,
         fresnel: Fresnel::Exact,
         params: Params {
             rho_d: [0.3, 0.2, 0.1],
@@ -79,7 +79,7 @@ fn drawings() -> Vec<(&'static str, Drawing)> {
         source,
     };
     let grey = Brdf {
-        model: MODELS[0],
+        model: &PHONG,
         ..brdf
     };
     let subjects = [

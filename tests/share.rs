@@ -5,7 +5,7 @@ mod common;
 use common::{Random, evaluate, gpu};
 use glam::DVec3;
 use grazing::brdf::fresnel::FRESNELS;
-use grazing::brdf::{Brdf, MODELS, Params, params, share};
+use grazing::brdf::{Brdf, MODELS, Params, codegen, params};
 use grazing::geom::{direction, mirror};
 use grazing::gpu::adapter::Gpu;
 use naga::ShaderStage;
@@ -125,14 +125,14 @@ const TOLERANCE: f64 = 2e-5;
 #[test]
 fn the_wgsl_function_is_the_model() {
     for brdf in brdfs() {
-        let text = share::wgsl(&brdf, Some("teflon"));
+        let text = codegen::wgsl(&brdf, Some("teflon"));
         let module = wgsl::parse_str(&text);
         validated(&module.unwrap_or_else(|error| panic!("{}", error.emit_to_string(&text))));
     }
     let Some(gpu) = gpu() else { return };
     let mut worst: f64 = 0.0;
     for brdf in brdfs() {
-        worst = worst.max(worst_distance(&gpu, &share::wgsl(&brdf, None), &brdf));
+        worst = worst.max(worst_distance(&gpu, &codegen::wgsl(&brdf, None), &brdf));
     }
     println!("WGSL: worst relative distance {worst:.2e}");
     assert!(worst < TOLERANCE, "{worst:e}");
@@ -142,7 +142,7 @@ fn the_wgsl_function_is_the_model() {
 fn the_glsl_function_is_the_model() {
     let texts: Vec<(Brdf, String)> = brdfs()
         .into_iter()
-        .map(|brdf| (brdf, glsl_as_wgsl(&share::glsl(&brdf, Some("teflon")))))
+        .map(|brdf| (brdf, glsl_as_wgsl(&codegen::glsl(&brdf, Some("teflon")))))
         .collect();
     let Some(gpu) = gpu() else { return };
     let mut worst: f64 = 0.0;
@@ -228,7 +228,7 @@ vec3 brdf(vec3 wi, vec3 wo) {{
 fn the_disney_file_has_the_ranges_and_the_numbers_and_its_shader_is_the_model() {
     let files: Vec<(Brdf, Disney)> = brdfs()
         .into_iter()
-        .map(|brdf| (brdf, Disney::read(&share::disney(&brdf, Some("teflon")))))
+        .map(|brdf| (brdf, Disney::read(&codegen::disney(&brdf, Some("teflon")))))
         .collect();
     for (brdf, file) in &files {
         for row in brdf.model.params.iter().filter(|row| brdf.uses(row.id)) {
@@ -271,13 +271,13 @@ fn the_disney_file_has_the_ranges_and_the_numbers_and_its_shader_is_the_model() 
 fn a_black_model_has_a_disney_file_too() {
     let mut brdf = brdfs()[6];
     brdf.params.k_s = [0.0; 3];
-    let file = Disney::read(&share::disney(&brdf, None));
+    let file = Disney::read(&codegen::disney(&brdf, None));
     assert_eq!(file.colors["k_s_color"], [0.0; 3]);
     assert!(file.floats["log10_k_s"].iter().all(|x| x.is_finite()));
     // Values beyond the sliders widen them.
     brdf.params.rho_d = [3.0, 1.0, 0.0];
     brdf.params.k_s = [1e9; 3];
-    let file = Disney::read(&share::disney(&brdf, None));
+    let file = Disney::read(&codegen::disney(&brdf, None));
     assert_eq!(file.floats["rho_d"], [0.0, 3.0, 3.0]);
     assert_eq!(file.floats["log10_k_s"], [-4.0, 9.0, 9.0]);
 }
@@ -287,7 +287,7 @@ fn planted_errors_are_caught() {
     let Some(gpu) = gpu() else { return };
     let brdf = brdfs()[7];
     assert_eq!((brdf.model.key, brdf.fresnel.key()), ("combined", "exact"));
-    let (wgsl, glsl) = (share::wgsl(&brdf, None), share::glsl(&brdf, None));
+    let (wgsl, glsl) = (codegen::wgsl(&brdf, None), codegen::glsl(&brdf, None));
     for (right, wrong) in [
         ("0.3183098861837907", "0.3185"),
         ("return 0.5 * a * a", "return 0.501 * a * a"),

@@ -4,7 +4,7 @@ mod common;
 
 use common::{Random, gpu};
 use grazing::brdf::fresnel::Fresnel;
-use grazing::brdf::{Brdf, MODELS, Params};
+use grazing::brdf::{Brdf, COMBINED, Params};
 use grazing::figure::sphere_image::{SphereSource, error_colors, render, sphere_image};
 use grazing::figure::subject::Source;
 use grazing::geom::Cosines;
@@ -32,7 +32,7 @@ fn brdf() -> Brdf {
         eta: 1.5,
     };
     Brdf {
-        model: MODELS[2],
+        model: &COMBINED,
         fresnel: Fresnel::Exact,
         params,
     }

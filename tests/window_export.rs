@@ -7,7 +7,7 @@ use common::window::{Window, click, run, set_slider, settle, window_with};
 use grazing::app::Picker;
 use grazing::app::command::Command;
 use grazing::app::state::notice::Level;
-use grazing::brdf::{Brdf, share};
+use grazing::brdf::{Brdf, codegen};
 use grazing::files::{MODEL_FORMATS, ModelFormat};
 use grazing::measured::merl;
 use std::fs;
@@ -92,7 +92,7 @@ fn a_model_is_saved_as_every_kind_of_file() {
         (found[1] / wanted[1] - 1.0).abs() < 1e-6,
         "{found:?} {wanted:?}"
     );
-    let exports = [share::disney, share::wgsl, share::glsl];
+    let exports = [codegen::disney, codegen::wgsl, codegen::glsl];
     for (text, export) in texts.iter().zip(exports) {
         assert_eq!(String::from_utf8_lossy(text), export(&brdf, Some("teflon")));
         let mut planted = brdf;

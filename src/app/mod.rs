@@ -1,6 +1,4 @@
 //! The window: egui over the state. Panels read the state and push messages; [`update::apply`] changes it.
-
-use crate::app::panels::tiles::tiles_ui;
 pub mod command;
 pub mod jobs;
 pub mod lessons;
@@ -16,26 +14,19 @@ pub mod views;
 pub mod widgets;
 
 use crate::app::command::ENTRIES;
-use crate::app::jobs::Jobs;
 use crate::app::jobs::autosave::Autosave;
-use crate::app::jobs::prepare_threads;
 use crate::app::jobs::sender::Sender;
+use crate::app::jobs::{Jobs, prepare_threads};
 use crate::app::lessons::LookAt;
 use crate::app::msg::Msg;
-use crate::app::panels::dialogs;
-use crate::app::panels::fit;
-use crate::app::panels::lesson;
 use crate::app::panels::library::library_ui;
-use crate::app::panels::menu;
-use crate::app::panels::model;
-use crate::app::panels::notices;
-use crate::app::panels::status;
+use crate::app::panels::tiles::tiles_ui;
+use crate::app::panels::{dialogs, fit, lesson, menu, model, notices, status};
 use crate::app::reduce::apply;
 use crate::app::state::State;
 use crate::app::state::layout::Tiles;
 use crate::app::state::notice::Level;
-use crate::app::state::prefs::Prefs;
-use crate::app::state::prefs::Theme;
+use crate::app::state::prefs::{Prefs, Theme};
 use crate::app::tasks::Tools;
 use egui::{Key, KeyboardShortcut, Modifiers};
 use std::path::{Path, PathBuf};

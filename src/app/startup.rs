@@ -1,8 +1,7 @@
 //! Opening the window, and plain words where it cannot be opened.
 
-use crate::app::App;
-use crate::app::Options;
 use crate::app::jobs::dialogs::Picker;
+use crate::app::{App, Options};
 use crate::gpu::adapter;
 use eframe::egui_wgpu;
 use std::path::PathBuf;

@@ -1,19 +1,11 @@
 //! Starting tasks: what [`crate::app::reduce::apply`] asks to be done outside the state.
 
-use crate::app::jobs::Jobs;
-use crate::app::jobs::dialogs;
-use crate::app::jobs::dialogs::Picker;
-use crate::app::jobs::dialogs::ask;
-use crate::app::jobs::dialogs::ask_and_write;
-use crate::app::jobs::fit::Problems;
-use crate::app::jobs::fit::fit;
-use crate::app::jobs::fit::refit_amplitudes;
-use crate::app::jobs::library;
+use crate::app::jobs::dialogs::{Picker, ask, ask_and_write};
+use crate::app::jobs::fit::{Problems, fit, refit_amplitudes};
 use crate::app::jobs::load::load;
-use crate::app::jobs::session;
-use crate::app::msg::Msg;
-use crate::app::msg::Task;
+use crate::app::jobs::{Jobs, dialogs, library, session};
 use crate::app::msg::figure::FigureTask;
+use crate::app::msg::{Msg, Task};
 use crate::app::paper::figure::figure_of;
 use crate::app::paper::work;
 use crate::app::state::State;

@@ -2,7 +2,7 @@
 //!
 //! Glossy lobes are needles, and at grazing angles slivers: the quadrature is laid out around the mirror direction.
 
-use super::Brdf;
+use super::model::Brdf;
 use crate::geom::{Cosines, Rgb, direction, mirror};
 use glam::DVec3;
 use std::f64::consts::FRAC_PI_2;

@@ -1,5 +1,6 @@
 //! The Fresnel factor of the specular term: unpolarised light on a dielectric, seen from outside.
 
+use crate::keys;
 use serde::{Deserialize, Serialize};
 
 /// Which reflectance R_F(wi·wh, η) multiplies the specular term.
@@ -20,11 +21,7 @@ pub const FRESNELS: [Fresnel; 3] = [Fresnel::None, Fresnel::Exact, Fresnel::Schl
 impl Fresnel {
     /// Name in files and on the command line.
     pub fn key(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::Exact => "exact",
-            Self::Schlick => "schlick",
-        }
+        keys::key_at::<Self>(self as usize)
     }
 
     /// Name on screen.
@@ -47,7 +44,7 @@ impl Fresnel {
 
     /// The choice whose `key` this is.
     pub fn by_key(key: &str) -> Option<Self> {
-        FRESNELS.into_iter().find(|fresnel| fresnel.key() == key)
+        keys::by_key(key)
     }
 
     /// Position in [`FRESNELS`].

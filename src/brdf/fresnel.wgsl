@@ -1,4 +1,4 @@
-// Twin of fresnel.rs. Types are written out: brdf/share makes GLSL of this.
+// Twin of fresnel.rs. Types are written out: brdf/codegen makes GLSL of this.
 
 fn fresnel_exact(cos_theta: f32, eta: f32) -> f32 {
     let c: f32 = clamp(cos_theta, 0.0, 1.0);

@@ -3,7 +3,10 @@
 //! The keys are those of the rows. A parameter that the model does not have may be null or absent; `fresnel` is
 //! `none` where absent. Other keys are left alone, so that richer files (a fit with its error, say) open too.
 
-use super::{Brdf, Fresnel, MODELS, Model, Params, fresnel::FRESNELS};
+use super::fresnel::{FRESNELS, Fresnel};
+use super::model::{Brdf, Model};
+use super::models::MODELS;
+use super::params::Params;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value, json};
 

@@ -1,145 +1,23 @@
 //! Reflection models: `f_r = ρ_d/π + k_s · R_F(wi·wh, η) · lobe`, in 1/sr, without the cosine. Pure.
 //!
 //! A [`Model`] is a row of [`MODELS`]: its parameters drive sliders, bounds, uniforms, file formats and tests.
-//! A new model is a file `x.rs`, its twin `x.wgsl` and a row. Twins write out the type of every `let` and `var`, since
-//! [`share`] makes GLSL of them.
+//! A new model is a file `models/x.rs`, its twin `models/x.wgsl` and a row. Twins write out the type of every `let` and `var`, since
+//! [`codegen`] makes GLSL of them.
 
 pub mod albedo;
-mod blinn_phong;
-mod combined;
+pub mod codegen;
 pub mod fresnel;
 pub mod json;
+mod model;
+mod models;
 pub mod params;
-mod phong;
-pub mod share;
 pub mod wgsl;
 
 pub use albedo::albedo;
 pub use fresnel::Fresnel;
+pub use model::{Brdf, Model};
+pub use models::{BLINN_PHONG, COMBINED, MODELS, PHONG};
 pub use params::{Param, ParamId, Params};
-
-use crate::geom::{Cosines, Rgb};
-use glam::DVec3;
-use std::f64::consts::PI;
-
-/// A reflection model of the Phong family: the shape of its specular lobe, and what a person may say of it.
-#[derive(Debug)]
-pub struct Model {
-    /// Name in files and on the command line.
-    pub key: &'static str,
-    /// Name on screen.
-    pub name: &'static str,
-    /// Where the formula stands.
-    pub source: &'static str,
-    /// The lobe as text for people, in the markup of [`crate::figure::text`].
-    pub formula: &'static str,
-    /// The parameters that the model has, in the order of its sliders.
-    pub params: &'static [Param],
-    /// The specular lobe, 1 at its highest and without amplitude or Fresnel factor.
-    pub lobe: fn(&Params, &Cosines) -> f64,
-    /// The twin of `lobe`: text that defines `fn lobe_<key with _ for ->(p: Params, c: Cosines) -> f32`.
-    pub wgsl: &'static str,
-    /// k_s / ρ_s of the normalised form as a function of s; `None` where the source gives no normalisation.
-    pub normalization: Option<fn(f64) -> f64>,
-    /// s of this model that gives the same highlight at normal incidence as Phong's s = 1.
-    pub exponent_ratio: f64,
-    /// The α of the combined model that equals this one; `None` where α is a parameter itself.
-    pub alpha: Option<f64>,
-}
-
-/// All models, in the order in which they are offered.
-pub static MODELS: [&Model; 3] = [&phong::MODEL, &blinn_phong::MODEL, &combined::MODEL];
-
-impl Eq for Model {}
-
-impl PartialEq for Model {
-    fn eq(&self, other: &Self) -> bool {
-        self.key == other.key
-    }
-}
-
-impl Model {
-    /// The model whose `key` this is.
-    pub fn by_key(key: &str) -> Option<&'static Self> {
-        MODELS.into_iter().find(|model| model.key == key)
-    }
-
-    /// Position in [`MODELS`], which is the model's number on the GPU.
-    pub fn index(&self) -> usize {
-        MODELS.iter().position(|model| *model == self).unwrap_or(0)
-    }
-
-    /// The row of a parameter, if the model has it.
-    pub fn param(&self, id: ParamId) -> Option<&'static Param> {
-        self.params.iter().find(|param| param.id == id)
-    }
-}
-
-/// A model with its Fresnel factor and numbers: a BRDF that can be evaluated.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Brdf {
-    /// Which formula.
-    pub model: &'static Model,
-    /// The factor on its specular term.
-    pub fresnel: Fresnel,
-    /// Its numbers. Those that the model does not have are kept and unused.
-    pub params: Params,
-}
-
-impl Brdf {
-    /// f_r in 1/sr. The cosines are clamped at 0 before use; below the horizon the formula goes on, so take
-    /// [`Brdf::f_r`] where it matters.
-    pub fn eval(&self, c: &Cosines) -> Rgb {
-        let shape = self.specular_shape(c);
-        std::array::from_fn(|k| self.params.rho_d[k] / PI + self.params.k_s[k] * shape)
-    }
-
-    /// f_r of (wi, wo) in 1/sr; `None` below the horizon of either.
-    pub fn f_r(&self, wi: DVec3, wo: DVec3) -> Option<Rgb> {
-        let cosines = Cosines::from_directions(wi, wo);
-        cosines.above_horizon().then(|| self.eval(&cosines))
-    }
-
-    /// The specular term for k_s = 1: R_F · lobe.
-    pub fn specular_shape(&self, c: &Cosines) -> f64 {
-        self.fresnel.reflectance(c.wi_dot_wh, self.params.eta) * (self.model.lobe)(&self.params, c)
-    }
-
-    /// Whether changing a parameter changes the BRDF: the model has it, and η only matters with a Fresnel factor.
-    pub fn uses(&self, id: ParamId) -> bool {
-        self.model.param(id).is_some() && (id != ParamId::Eta || self.fresnel != Fresnel::None)
-    }
-
-    /// ρ_s of the normalised form that has this k_s.
-    pub fn rho_s(&self) -> Option<Rgb> {
-        let factor = (self.model.normalization?)(self.params.s);
-        Some(self.params.k_s.map(|k| k / factor))
-    }
-
-    /// k_s · R_F(0), the specular amplitude at normal incidence; as η → 1 only this product is determined.
-    pub fn specular_at_normal(&self) -> Rgb {
-        let r0 = self.fresnel.reflectance(1.0, self.params.eta);
-        self.params.k_s.map(|k| k * r0)
-    }
-
-    /// The same look under another model, exactly where one contains the other: Phong is the combined model with
-    /// α = 0, Blinn-Phong with exponent 4s is the one with α = 1. Elsewhere the highlight at normal incidence stays.
-    pub fn with_model(&self, model: &'static Model) -> Self {
-        let mut params = self.params;
-        params.s *= model.exponent_ratio / self.model.exponent_ratio;
-        if let Some(row) = model.param(ParamId::S) {
-            params.s = row.clamp(params.s);
-        }
-        if let (Some(alpha), None) = (self.model.alpha, model.alpha) {
-            params.alpha = alpha;
-        }
-        Self {
-            model,
-            params,
-            ..*self
-        }
-    }
-}
 
 #[cfg(test)]
 mod tests;

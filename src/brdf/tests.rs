@@ -1,7 +1,8 @@
 use super::*;
-use crate::geom::direction;
+use crate::geom::{Cosines, direction};
 use glam::DVec3;
 use proptest::prelude::*;
+use std::f64::consts::PI;
 
 fn brdf(key: &str, fresnel: Fresnel, s: f64, alpha: f64) -> Brdf {
     Brdf {

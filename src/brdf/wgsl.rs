@@ -1,6 +1,8 @@
 //! The models as shader text, put together from the rows, and the uniform that carries their numbers.
 
-use super::{Brdf, MODELS, ParamId, params};
+use super::model::Brdf;
+use super::models::MODELS;
+use super::params::{self, ParamId};
 use std::fmt::Write as _;
 
 /// The number of 16-byte slots that a BRDF takes in a uniform: one per parameter and one for what is chosen.

@@ -3,7 +3,7 @@
 mod materials;
 
 use super::CliError;
-use crate::brdf::{Fresnel, MODELS, fresnel::FRESNELS};
+use crate::brdf::{Fresnel, MODELS, PHONG, fresnel::FRESNELS};
 use crate::export::preset::{Options, PRESETS, Preset};
 use crate::export::{
     ExportError, FORMATS, FigureSpec, Format, Opened, open_from_files, prepare, write_figure,
@@ -211,7 +211,7 @@ fn preset(args: &Args, key: &str, opened: &mut Opened) -> Result<FigureSpec, Cli
     let preset = Preset::by_key(key).unwrap_or(&PRESETS[0]);
     let model = MODELS.into_iter().find(|model| model.key == args.model);
     let options = Options {
-        model: model.unwrap_or(MODELS[0]),
+        model: model.unwrap_or(&PHONG),
         fresnel: Fresnel::by_key(&args.fresnel).unwrap_or(Fresnel::Exact),
         theta_i: args.theta_i.clone(),
         scale: args.scale.as_deref().and_then(RadialScale::by_key),

@@ -1,7 +1,9 @@
 //! What a figure needs before it can be drawn: data in memory, surveys of a fit.
 
-use super::{ExportError, FigureSpec, SubjectSource, SubjectSpec, made};
-use crate::figure::page::Made;
+use super::error::ExportError;
+use super::fit_output;
+use super::spec::{FigureSpec, SubjectLook, SubjectSource, SubjectSpec};
+use crate::figure::page::{FitOutput, Page, draw};
 use crate::figure::subject::{Look, Source, Subject};
 use crate::files::fits::SourceFile;
 use crate::files::{self, FileError};
@@ -17,7 +19,7 @@ pub struct Prepared {
     /// In the order of the figure.
     pub subjects: Vec<Subject>,
     /// An entry per panel, row by row.
-    pub made: Vec<Option<Made>>,
+    pub made: Vec<Option<FitOutput>>,
 }
 
 /// Data in memory by the place of their file.
@@ -48,7 +50,7 @@ pub fn prepare(
             .iter()
             .filter_map(|at| subjects.get(*at))
             .collect();
-        all.push(made::of_panel(&panel.view, &of_panel, follow)?);
+        all.push(fit_output::of_panel(&panel.view, &of_panel, follow)?);
     }
     Ok(Prepared {
         subjects,
@@ -69,7 +71,7 @@ fn subject_of(
     };
     Ok(Subject {
         label: spec.label.clone(),
-        look: spec.look.map_or(look, super::SubjectLook::look),
+        look: spec.look.map_or(look, SubjectLook::look),
         series: spec.series,
         hidden: false,
         source,
@@ -136,5 +138,15 @@ impl SubjectSource {
             file,
             lookup: Lookup::Smooth,
         }
+    }
+}
+
+impl FigureSpec {
+    /// Draws it from what [`prepare`] has brought.
+    ///
+    /// # Errors
+    /// One sentence.
+    pub fn draw(&self, prepared: &Prepared) -> Result<Page, ExportError> {
+        draw(&self.page(), &prepared.subjects, &prepared.made).map_err(ExportError::Other)
     }
 }

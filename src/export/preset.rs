@@ -1,6 +1,6 @@
 //! Figures by name: what a paper on reflection shows, from files alone.
 
-use super::{FigureSpec, SubjectLook, SubjectSource, SubjectSpec};
+use super::spec::{FigureSpec, SubjectLook, SubjectSource, SubjectSpec};
 use crate::brdf::{Brdf, Fresnel, MODELS, Model};
 use crate::figure::albedo::AlbedoSpec;
 use crate::figure::image_slice::{ImageSpec, Shown};

@@ -1,8 +1,7 @@
 //! A figure as a file: everything that it takes to draw it again.
 
-use super::ExportError;
 use crate::brdf::Brdf;
-use crate::figure::page::{Page, PageSpec, RowSpec, Style, draw};
+use crate::figure::page::{PageSpec, RowSpec, Style};
 use crate::figure::subject::Look;
 use crate::files::fits::SourceFile;
 use crate::files::{self, FileError};
@@ -165,14 +164,6 @@ impl FigureSpec {
             rows: self.rows.clone(),
             style: self.style.clone(),
         }
-    }
-
-    /// Draws it from what [`super::prepare`] has brought.
-    ///
-    /// # Errors
-    /// One sentence.
-    pub fn draw(&self, prepared: &super::Prepared) -> Result<Page, ExportError> {
-        draw(&self.page(), &prepared.subjects, &prepared.made).map_err(ExportError::Other)
     }
 }
 

@@ -2,7 +2,7 @@ use super::preset::{Options, PRESETS, Preset, PresetMaterial};
 use super::{
     FigureSpec, Format, Opened, Prepared, SubjectSource, open_from_files, prepare, spec_beside,
 };
-use crate::brdf::{Brdf, Fresnel, MODELS, Params};
+use crate::brdf::{Brdf, COMBINED, Fresnel, Params};
 use crate::figure::page::{SphereShow, Style, ViewSpec};
 use crate::figure::scale::RadialScale;
 use crate::geom::sphere::SphereView;
@@ -12,7 +12,7 @@ use std::path::Path;
 
 fn options() -> Options {
     Options {
-        model: MODELS[2],
+        model: &COMBINED,
         fresnel: Fresnel::Exact,
         theta_i: vec![0.5, 1.0],
         scale: None,

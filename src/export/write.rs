@@ -1,6 +1,8 @@
 //! Figures as files.
 
-use super::{ExportError, FigureSpec, Prepared, spec_beside};
+use super::error::ExportError;
+use super::prepare::Prepared;
+use super::spec::{FigureSpec, spec_beside};
 use crate::figure::page::{Page, only_sphere};
 use crate::figure::sphere_image::render;
 use crate::figure::write::{pdf, raster, svg};

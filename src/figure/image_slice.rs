@@ -8,6 +8,7 @@ use super::mark::Mark;
 use super::scale::{Axis, RadialScale, nice_limit};
 use super::subject::{Channel, Source};
 use crate::geom::{HalfDiff, Rgb, degrees};
+use crate::keys;
 use crate::measured::Grid;
 use crate::measured::grid::{THETA_D_BINS, THETA_H_BINS};
 use serde::{Deserialize, Serialize};
@@ -33,12 +34,7 @@ pub const SHOWN: [Shown; 4] = [Shown::Measured, Shown::Model, Shown::Residual, S
 impl Shown {
     /// Name in files and on the command line.
     pub fn key(self) -> &'static str {
-        match self {
-            Self::Measured => "measured",
-            Self::Model => "model",
-            Self::Residual => "residual",
-            Self::Ratio => "ratio",
-        }
+        keys::key_at::<Self>(self as usize)
     }
 
     /// Name on screen.

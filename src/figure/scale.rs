@@ -1,5 +1,6 @@
 //! How values become lengths: linear, cube root or logarithmic, with limits and ticks at round values.
 
+use crate::keys;
 use serde::{Deserialize, Serialize};
 
 mod ticks;
@@ -26,11 +27,7 @@ pub const RADIAL_SCALES: [RadialScale; 3] =
 impl RadialScale {
     /// Name in files and on the command line.
     pub fn key(self) -> &'static str {
-        match self {
-            Self::Linear => "linear",
-            Self::CubeRoot => "cube-root",
-            Self::Log => "log",
-        }
+        keys::key_at::<Self>(self as usize)
     }
 
     /// Name on screen.
@@ -53,7 +50,7 @@ impl RadialScale {
 
     /// The scale whose key this is.
     pub fn by_key(key: &str) -> Option<Self> {
-        RADIAL_SCALES.into_iter().find(|scale| scale.key() == key)
+        keys::by_key(key)
     }
 }
 

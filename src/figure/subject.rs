@@ -2,6 +2,7 @@
 
 use crate::brdf::Brdf;
 use crate::geom::{Rgb, color::luminance};
+use crate::keys;
 use crate::measured::Table;
 use crate::measured::lookup::Lookup;
 use glam::DVec3;
@@ -30,12 +31,7 @@ pub const CHANNELS: [Channel; 4] = [Channel::Luminance, Channel::R, Channel::G, 
 impl Channel {
     /// Name in files and on the command line.
     pub fn key(self) -> &'static str {
-        match self {
-            Self::Luminance => "luminance",
-            Self::R => "r",
-            Self::G => "g",
-            Self::B => "b",
-        }
+        keys::key_at::<Self>(self as usize)
     }
 
     /// Name on screen.
@@ -50,7 +46,7 @@ impl Channel {
 
     /// The channel whose key this is.
     pub fn by_key(key: &str) -> Option<Self> {
-        CHANNELS.into_iter().find(|channel| channel.key() == key)
+        keys::by_key(key)
     }
 
     /// Its value in linear RGB.

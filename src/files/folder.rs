@@ -1,8 +1,9 @@
 //! What is in a folder: names at once, and what each file is without reading all of it.
 
-use super::error::one_line;
+use super::error::{FileError, one_line};
 use super::fits::{self, MaterialFits};
-use super::{FileError, json_text, open, session};
+use super::open::{json_text, open};
+use super::session;
 use crate::measured::merl;
 use std::cmp::Ordering;
 use std::iter::Peekable;

@@ -1,8 +1,8 @@
 //! Models as files for other programs.
 
-use super::FileError;
-use crate::brdf::{Brdf, share};
-use crate::measured::{Grid, merl, modelled};
+use super::error::FileError;
+use crate::brdf::{Brdf, codegen};
+use crate::measured::{Grid, merl, tabulate};
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -108,10 +108,10 @@ impl ModelFormat {
         writer: &mut dyn Write,
     ) -> io::Result<()> {
         let text = match self {
-            Self::Merl => return merl::write(&modelled(brdf, Grid::FOLDED), writer),
-            Self::Disney => share::disney(brdf, material),
-            Self::Wgsl => share::wgsl(brdf, material),
-            Self::Glsl => share::glsl(brdf, material),
+            Self::Merl => return merl::write(&tabulate(brdf, Grid::FOLDED), writer),
+            Self::Disney => codegen::disney(brdf, material),
+            Self::Wgsl => codegen::wgsl(brdf, material),
+            Self::Glsl => codegen::glsl(brdf, material),
         };
         writer.write_all(text.as_bytes())
     }
@@ -146,12 +146,12 @@ fn name_part(name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::brdf::{Fresnel, MODELS, Params};
+    use crate::brdf::{BLINN_PHONG, COMBINED, Fresnel, Params};
 
     #[test]
     fn proposed_names_are_names_of_files() {
         let mut brdf = Brdf {
-            model: MODELS[2],
+            model: &COMBINED,
             fresnel: Fresnel::Exact,
             params: Params::default(),
         };
@@ -163,7 +163,7 @@ mod tests {
         );
         assert_eq!(name(&brdf, "../a/b"), "a-b_combined-exact.wgsl");
         brdf.fresnel = Fresnel::None;
-        brdf.model = MODELS[1];
+        brdf.model = &BLINN_PHONG;
         assert_eq!(name(&brdf, "?"), "model_blinn-phong.wgsl");
     }
 

@@ -2,7 +2,8 @@
 //!
 //! What is in one is the window's affair; the README documents its keys.
 
-use super::{SourceFile, absolute, material_name};
+use super::fits::SourceFile;
+use super::paths::{absolute, material_name};
 use serde::{Deserialize, Serialize};
 use std::path::{Component, Path, PathBuf};
 

@@ -1,6 +1,6 @@
 //! Writing whole files or nothing.
 
-use super::FileError;
+use super::error::FileError;
 use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};

@@ -4,7 +4,7 @@
 //! It goes over the cells of the table in f64 with the definition of E as it stands, and knows nothing of how a fit
 //! arranges them: what is shown and what is minimised check each other.
 
-use super::ProblemError;
+use super::error::ProblemError;
 use super::options::Weight;
 use crate::brdf::Brdf;
 use crate::geom::Rgb;
@@ -204,13 +204,13 @@ fn mirrored(grid: Grid, phi_d: usize) -> impl Iterator<Item = usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::brdf::{Fresnel, MODELS, Params};
+    use crate::brdf::{COMBINED, Fresnel, Params};
     use crate::fit::Problem;
     use crate::fit::options::{NO_LIMIT, WEIGHTS};
 
     fn brdf(s: f64) -> Brdf {
         Brdf {
-            model: MODELS[2],
+            model: &COMBINED,
             fresnel: Fresnel::Exact,
             params: Params {
                 rho_d: [0.3, 0.2, 0.1],

@@ -3,12 +3,13 @@
 //! α = 0 is Phong with exponent s and α = 1 Blinn-Phong with 4 s, so that the edges are these models' own. E is
 //! estimated on a sample of the cells, coarse to fine; the best point is measured on all of them.
 
-use super::Problem;
-use super::objective::{Candidate, Follow, Objective, Space};
+use super::lobe_kernel::{LobeShape, SearchPoint};
+use super::objective::{AmplitudeRule, Candidate, Objective, SearchSpace};
 use super::options::{Options, Variant};
-use super::shape::{Point, Shape, Threads};
-use super::sites::Sites;
-use crate::brdf::{Brdf, Fresnel, MODELS, Model, ParamId, Params, params};
+use super::problem::Problem;
+use super::symmetric_cells::SymmetricCells;
+use super::threads::Threads;
+use crate::brdf::{Brdf, Fresnel, MODELS, Model, PHONG, ParamId, Params, params};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 
@@ -19,13 +20,13 @@ pub const GRIDS: [(usize, usize); 3] = [(8, 5), (15, 9), (29, 17)];
 /// How many nodes are made between two questions whether to go on.
 const BATCH: usize = 16;
 
-/// What becomes of η.
+/// Which η the points of a landscape have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Eta {
-    /// It stays.
+    /// The same everywhere.
     Fixed(f64),
     /// The best one at each point.
-    Solved,
+    Optimised,
 }
 
 /// A point of a landscape.
@@ -50,9 +51,9 @@ pub struct Landscape {
     pub best: Option<(Brdf, f64)>,
 }
 
-/// A word of a landscape in the making.
+/// A report from a landscape in the making.
 #[derive(Debug)]
-pub enum Word {
+pub enum Update {
     /// How far it is, in [0, 1].
     Progress(f32),
     /// A grid is done, finer ones are to come.
@@ -64,7 +65,7 @@ pub fn model() -> &'static Model {
     MODELS
         .into_iter()
         .find(|model| model.alpha.is_none())
-        .unwrap_or(MODELS[0])
+        .unwrap_or(&PHONG)
 }
 
 /// Makes a landscape; `None` where `follow` breaks. The same for any number of threads.
@@ -72,7 +73,7 @@ pub fn landscape(
     problem: &Problem,
     fresnel: Fresnel,
     eta: Eta,
-    follow: &mut dyn FnMut(Word) -> ControlFlow<()>,
+    follow: &mut dyn FnMut(Update) -> ControlFlow<()>,
 ) -> Option<Landscape> {
     let variant = Variant {
         model: model(),
@@ -80,11 +81,11 @@ pub fn landscape(
     };
     let survey = Survey {
         // E as a function of η is smooth and asks for many more points; the small sample tells enough.
-        sites: match eta {
+        cells: match eta {
             Eta::Fixed(_) => &problem.medium,
-            Eta::Solved => &problem.coarse,
+            Eta::Optimised => &problem.coarse,
         },
-        space: Space::new(variant, &Options::default(), problem.units()),
+        space: SearchSpace::new(variant, &Options::default(), problem.units()),
         eta: match fresnel {
             Fresnel::None => Eta::Fixed(params::ETA.default),
             _ => eta,
@@ -112,12 +113,12 @@ pub fn landscape(
                 nodes[*k] = Some(node);
             }
             done += batch.len();
-            if follow(Word::Progress(done as f32 / all as f32)).is_break() {
+            if follow(Update::Progress(done as f32 / all as f32)).is_break() {
                 return None;
             }
         }
         grid.nodes = nodes.into_iter().flatten().collect();
-        if step + 1 < GRIDS.len() && follow(Word::Grid(grid.clone())).is_break() {
+        if step + 1 < GRIDS.len() && follow(Update::Grid(grid.clone())).is_break() {
             return None;
         }
         before = Some(grid);
@@ -130,8 +131,8 @@ pub fn landscape(
 
 /// How nodes are made.
 struct Survey<'a> {
-    sites: &'a Sites,
-    space: Space,
+    cells: &'a SymmetricCells,
+    space: SearchSpace,
     eta: Eta,
 }
 
@@ -151,18 +152,18 @@ impl Survey<'_> {
     }
 
     fn node(&self, s: f64, alpha: f64) -> Node {
-        let at = |eta: f64| Shape { s, alpha, eta }.point();
-        let limits = Follow::Solved(self.space.limits);
+        let at = |eta: f64| LobeShape { s, alpha, eta }.point();
+        let limits = AmplitudeRule::Optimised(self.space.limits);
         let fresnel = self.space.variant.fresnel;
-        let mut objective = Objective::new(self.sites, fresnel, limits, None, Threads::One);
+        let mut objective = Objective::new(self.cells, fresnel, limits, None, Threads::One);
         let candidate = match self.eta {
             Eta::Fixed(eta) => objective.error(at(eta)),
-            Eta::Solved => best_eta(&mut objective, at(params::ETA.default)),
+            Eta::Optimised => best_eta(&mut objective, at(params::ETA.default)),
         };
         let params = self.space.params(&candidate, &Options::default());
         let eta = match self.eta {
             Eta::Fixed(eta) => eta,
-            Eta::Solved => params.eta,
+            Eta::Optimised => params.eta,
         };
         Node {
             brdf: self.space.variant.with(Params {
@@ -182,7 +183,7 @@ const ETAS_LESS_1: [f64; 6] = [0.02, 0.1, 0.35, 0.8, 2.0, 9.0];
 const ETA_STEPS: usize = 6;
 
 /// The best η: the best of a few, then by thirds of a golden section between its neighbours in ln(η − 1).
-fn best_eta(objective: &mut Objective, point: Point) -> Candidate {
+fn best_eta(objective: &mut Objective, point: SearchPoint) -> Candidate {
     let mut error = |ln_eta: f64| objective.error([point[0], point[1], ln_eta]);
     let tried: Vec<Candidate> = ETAS_LESS_1.iter().map(|x| error(x.ln())).collect();
     let lowest = (0..tried.len())

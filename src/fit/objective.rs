@@ -1,12 +1,13 @@
 //! E as a function of the shape alone: what the descents and the grid of starts evaluate.
 
+use super::amplitudes::{AmplitudeBounds, AmplitudeUnits, Amplitudes};
 use super::descent::Value;
+use super::kernels;
+use super::lobe_kernel::{LobeKernel, LobeShape, SearchPoint};
 use super::options::{Options, SMALLEST_ETA, Variant};
-use super::passes::{self, Amplitudes};
-use super::regression::{self, Effort, Limits};
-use super::shape::{Lobe, Point, Shape, Threads};
-use super::sites::Sites;
-use super::units::Units;
+use super::regression::{self, Effort};
+use super::symmetric_cells::SymmetricCells;
+use super::threads::Threads;
 use crate::brdf::{Fresnel, ParamId, Params, params};
 use glam::DVec3;
 
@@ -15,11 +16,11 @@ use glam::DVec3;
 const SOFT_BAND: f64 = 0.05;
 const WIDEST_SOFT_BAND: f64 = 0.01;
 
-/// A shape with its amplitudes and the E that they give on some sites.
+/// A shape with its amplitudes and the E that they give on some cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Candidate {
     /// (ln s, α, ln(η − 1)).
-    pub point: Point,
+    pub point: SearchPoint,
     /// ρ_d/π and k_s.
     pub amplitudes: Amplitudes,
     /// E.
@@ -28,20 +29,20 @@ pub struct Candidate {
 
 /// What a fit may move, and how far, in the variables of the search.
 #[derive(Clone, Copy, Debug)]
-pub struct Space {
+pub struct SearchSpace {
     /// What is fitted.
     pub variant: Variant,
     /// Bounds of (ln s, α, ln(η − 1)); both alike where held.
     pub bounds: [(f64, f64); 3],
     /// Bounds of the amplitudes, likewise.
-    pub limits: Limits,
+    pub limits: AmplitudeBounds,
     /// The units of the amplitudes.
-    pub units: Units,
+    pub units: AmplitudeUnits,
 }
 
-impl Space {
+impl SearchSpace {
     /// The space of a variant.
-    pub fn new(variant: Variant, options: &Options, units: Units) -> Self {
+    pub fn new(variant: Variant, options: &Options, units: AmplitudeUnits) -> Self {
         let row = |id| variant.model.param(id);
         let bounds = |id: ParamId, held: Option<f64>, missing: f64| match (held, row(id)) {
             (Some(value), Some(_)) => (value, value),
@@ -71,7 +72,7 @@ impl Space {
                 alpha,
                 (ln_eta(eta.0), ln_eta(eta.1)),
             ],
-            limits: Limits {
+            limits: AmplitudeBounds {
                 diffuse: amplitude(ParamId::RhoD, options.held.rho_d, units.rho_d),
                 specular: amplitude(ParamId::KS, options.held.k_s, units.k_s),
             },
@@ -80,7 +81,7 @@ impl Space {
     }
 
     /// The nearest point within the bounds.
-    pub fn clamp(&self, point: Point) -> Point {
+    pub fn clamp(&self, point: SearchPoint) -> SearchPoint {
         std::array::from_fn(|k| point[k].clamp(self.bounds[k].0, self.bounds[k].1))
     }
 
@@ -88,13 +89,13 @@ impl Space {
     pub fn params(&self, candidate: &Candidate, options: &Options) -> Params {
         let amplitudes = &candidate.amplitudes;
         let mut params = self.units.with(amplitudes, Params::default());
-        let Shape { s, alpha, eta } = Shape::at(candidate.point);
+        let LobeShape { s, alpha, eta } = LobeShape::at(candidate.point);
         params.s = s * self.variant.model.exponent_ratio;
         params.alpha = alpha;
         params.eta = eta;
         // Where the search has not moved from what was given, that comes out to its last digit.
         let given = options.start.over(params);
-        let unmoved = Shape::of(self.variant, &given).point();
+        let unmoved = LobeShape::of(self.variant, &given).point();
         if unmoved[0] == candidate.point[0] {
             params.s = given.s;
         }
@@ -128,20 +129,20 @@ impl Space {
     }
 }
 
-/// How the amplitudes follow the shape.
+/// Which amplitudes go with a shape.
 #[derive(Clone, Copy, Debug)]
-pub enum Follow {
-    /// They stay.
-    Held(Amplitudes),
-    /// They are solved for within limits.
-    Solved(Limits),
+pub enum AmplitudeRule {
+    /// Fixed at these values.
+    Fixed(Amplitudes),
+    /// The best ones within bounds, for each shape anew.
+    Optimised(AmplitudeBounds),
 }
 
 /// Evaluates E at points, keeping what helps the next evaluation.
 pub struct Objective<'a> {
-    sites: &'a Sites,
+    cells: &'a SymmetricCells,
     fresnel: Fresnel,
-    follow: Follow,
+    follow: AmplitudeRule,
     threads: Threads,
     shapes: Vec<f32>,
     /// The last solution, with R_F(0) there: when η moves, k_s·R_F(0) is what stays.
@@ -153,17 +154,17 @@ pub struct Objective<'a> {
 }
 
 impl<'a> Objective<'a> {
-    /// On some sites, from amplitudes that may be near.
+    /// On some cells, from amplitudes that may be near.
     pub fn new(
-        sites: &'a Sites,
+        cells: &'a SymmetricCells,
         fresnel: Fresnel,
-        follow: Follow,
+        follow: AmplitudeRule,
         near: Option<&Candidate>,
         threads: Threads,
     ) -> Self {
         let warm = near.map(|near| (near.amplitudes, normal_reflectance(fresnel, near.point)));
         Self {
-            sites,
+            cells,
             fresnel,
             follow,
             threads,
@@ -175,12 +176,12 @@ impl<'a> Objective<'a> {
     }
 
     /// E and its slopes.
-    pub fn value(&mut self, point: Point) -> Value {
-        let lobe = Lobe::new(Shape::at(point), self.fresnel);
+    pub fn value(&mut self, point: SearchPoint) -> Value {
+        let lobe = LobeKernel::new(LobeShape::at(point), self.fresnel);
         let amplitudes = self.amplitudes(&lobe, point);
         let error = self.best.map_or(1.0, |best| best.error);
         let band = (SOFT_BAND * error).clamp(1e-7, WIDEST_SOFT_BAND);
-        let slopes = passes::slopes(&lobe, self.sites, &amplitudes, band, self.threads);
+        let slopes = kernels::slopes(&lobe, self.cells, &amplitudes, band, self.threads);
         self.take(Candidate {
             point,
             amplitudes,
@@ -193,8 +194,8 @@ impl<'a> Objective<'a> {
     }
 
     /// E alone, for solved amplitudes.
-    pub fn error(&mut self, point: Point) -> Candidate {
-        let lobe = Lobe::new(Shape::at(point), self.fresnel);
+    pub fn error(&mut self, point: SearchPoint) -> Candidate {
+        let lobe = LobeKernel::new(LobeShape::at(point), self.fresnel);
         let (amplitudes, errors) = self.solve(&lobe, point);
         let candidate = Candidate {
             point,
@@ -205,19 +206,19 @@ impl<'a> Objective<'a> {
         candidate
     }
 
-    fn amplitudes(&mut self, lobe: &Lobe, point: Point) -> Amplitudes {
+    fn amplitudes(&mut self, lobe: &LobeKernel, point: SearchPoint) -> Amplitudes {
         match self.follow {
-            Follow::Held(amplitudes) => amplitudes,
-            Follow::Solved(_) => self.solve(lobe, point).0,
+            AmplitudeRule::Fixed(amplitudes) => amplitudes,
+            AmplitudeRule::Optimised(_) => self.solve(lobe, point).0,
         }
     }
 
-    fn solve(&mut self, lobe: &Lobe, point: Point) -> (Amplitudes, [f64; 3]) {
+    fn solve(&mut self, lobe: &LobeKernel, point: SearchPoint) -> (Amplitudes, [f64; 3]) {
         let limits = match self.follow {
-            Follow::Held(held) => Limits::holding(&held),
-            Follow::Solved(limits) => limits,
+            AmplitudeRule::Fixed(held) => AmplitudeBounds::holding(&held),
+            AmplitudeRule::Optimised(limits) => limits,
         };
-        lobe.fill(self.sites, &mut self.shapes, self.threads);
+        kernels::fill(lobe, self.cells, &mut self.shapes, self.threads);
         let r0 = normal_reflectance(self.fresnel, point);
         let (start, effort) = match self.warm {
             Some((mut warm, before)) => {
@@ -225,10 +226,10 @@ impl<'a> Objective<'a> {
                 let error = self.best.map_or(1.0, |best| best.error);
                 (warm, Effort::WARM.near_error(error))
             }
-            None => (regression::cold(self.sites, &limits), Effort::COLD),
+            None => (regression::cold(self.cells, &limits), Effort::COLD),
         };
         let solution = regression::solve(
-            self.sites,
+            self.cells,
             &self.shapes,
             &start,
             &limits,
@@ -247,6 +248,6 @@ impl<'a> Objective<'a> {
     }
 }
 
-fn normal_reflectance(fresnel: Fresnel, point: Point) -> f64 {
-    fresnel.reflectance(1.0, Shape::at(point).eta)
+fn normal_reflectance(fresnel: Fresnel, point: SearchPoint) -> f64 {
+    fresnel.reflectance(1.0, LobeShape::at(point).eta)
 }

@@ -2,6 +2,7 @@
 
 use crate::brdf::{Brdf, Fresnel, MODELS, Model, Param, ParamId, Params};
 use crate::geom::Rgb;
+use crate::keys;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
 
@@ -24,11 +25,7 @@ pub const WEIGHTS: [Weight; 3] = [Weight::Cells, Weight::SolidAngle, Weight::Cos
 impl Weight {
     /// Name in files and on the command line.
     pub fn key(self) -> &'static str {
-        match self {
-            Self::Cells => "cells",
-            Self::SolidAngle => "solid-angle",
-            Self::Cosine => "cosine",
-        }
+        keys::key_at::<Self>(self as usize)
     }
 
     /// Name on screen.
@@ -57,7 +54,7 @@ impl Weight {
 
     /// The weight whose `key` this is.
     pub fn by_key(key: &str) -> Option<Self> {
-        WEIGHTS.into_iter().find(|weight| weight.key() == key)
+        keys::by_key(key)
     }
 }
 

@@ -3,6 +3,7 @@
 use super::options::Stage;
 use crate::brdf::{Brdf, ParamId};
 use crate::geom::Rgb;
+use std::ops::ControlFlow;
 
 /// E = Σ w |f̂ − f| / Σ w f over the cells that count, over parts of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,6 +32,10 @@ pub struct Progress {
     /// Roughly how far the whole fit is, in [0, 1].
     pub share: f32,
 }
+
+/// Called with the best so far, at least every few hundredths of a second and once a stage; may stop the fit. Calls
+/// come one at a time, but from any thread of the pool.
+pub type Watch<'a> = &'a mut (dyn FnMut(&Progress) -> ControlFlow<()> + Send);
 
 /// A stage that is done.
 #[derive(Clone, Copy, Debug, PartialEq)]

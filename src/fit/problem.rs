@@ -1,43 +1,35 @@
 //! The data of a fit: a table, a weight and a grazing limit, arranged for passes.
 
-use super::engine;
-use super::lanes::LANES;
-use super::objective::Space;
+use super::amplitudes::{AmplitudeBounds, AmplitudeUnits, Amplitudes};
+use super::error::ProblemError;
+use super::exact_l1;
+use super::kernels;
+use super::lobe_kernel::{LobeKernel, LobeShape};
+use super::objective::SearchSpace;
 use super::options::{GRAZING, Options, Variant, Weight};
 use super::outcome::Errors;
-use super::passes::{self, Amplitudes};
-use super::shape::{Lobe, Shape, Threads};
-use super::sites::{Sampling, Sites};
-use super::units::Units;
+use super::regression::{self, Effort};
+use super::simd::LANES;
+use super::symmetric_cells::{Sampling, SymmetricCells};
+use super::threads::Threads;
 use crate::brdf::Brdf;
 use crate::measured::Table;
 use std::f64::consts::FRAC_PI_2;
 
 /// A table, a weight and a grazing limit: what the error of a model is measured on.
 ///
-/// Holds a copy of the valid f_r in the order of the passes, about 14 MB for the usual grid, and two small samples of
+/// Holds a mirror of the valid f_r in the order of the passes, about 14 MB for the usual grid, and two small samples of
 /// it for searching.
 #[derive(Clone, Debug)]
 pub struct Problem {
     /// All cells.
-    pub(super) all: Sites,
+    pub(super) all: SymmetricCells,
     /// About one in sixteen.
-    pub(super) medium: Sites,
+    pub(super) medium: SymmetricCells,
     /// About one in sixty.
-    pub(super) coarse: Sites,
+    pub(super) coarse: SymmetricCells,
     /// Whether the limit leaves grazing cells.
     pub(super) grazing: bool,
-}
-
-/// Why there is nothing to fit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum ProblemError {
-    /// No cell counts.
-    #[error("no cell is measured within the grazing limit; raise the limit")]
-    NoCells,
-    /// Σ w f is 0.
-    #[error("every measured value within the grazing limit is 0; there is nothing to fit")]
-    Black,
 }
 
 const MEDIUM: Sampling = Sampling {
@@ -57,10 +49,11 @@ impl Problem {
     /// If no cell counts or all are 0.
     pub fn new(table: &Table, weight: Weight, limit: f64) -> Result<Self, ProblemError> {
         let limit = limit.clamp(0.0, FRAC_PI_2);
-        let all = Sites::new(table, weight, limit, None)?;
+        let all = SymmetricCells::new(table, weight, limit, None)?;
         // A sample may miss what little there is.
         let sample = |sampling| {
-            Sites::new(table, weight, limit, Some(sampling)).unwrap_or_else(|_| all.clone())
+            SymmetricCells::new(table, weight, limit, Some(sampling))
+                .unwrap_or_else(|_| all.clone())
         };
         Ok(Self {
             medium: sample(MEDIUM),
@@ -73,26 +66,26 @@ impl Problem {
     /// E of a model over all cells; one pass.
     pub fn error(&self, brdf: &Brdf) -> f64 {
         let (lobe, amplitudes) = self.parts(brdf);
-        passes::error(&lobe, &self.all, &amplitudes, Threads::Many)
+        kernels::error(&lobe, &self.all, &amplitudes, Threads::Many)
     }
 
     /// E of a model in total and in parts; one pass.
     pub fn errors(&self, brdf: &Brdf) -> Errors {
         let (lobe, amplitudes) = self.parts(brdf);
         let all = &self.all;
-        let parts = passes::parts(&lobe, all, &amplitudes, Threads::Many);
+        let parts = kernels::parts(&lobe, all, &amplitudes, Threads::Many);
         Errors {
             total: parts.channels.iter().sum(),
-            grazing: (self.grazing && all.grazing_share > 0.0)
-                .then(|| parts.grazing / all.grazing_share),
-            channels: std::array::from_fn(|k| parts.channels[k] / all.shares[k]),
+            grazing: (self.grazing && all.grazing_energy > 0.0)
+                .then(|| parts.grazing / all.grazing_energy),
+            channels: std::array::from_fn(|k| parts.channels[k] / all.energy[k]),
         }
     }
 
     /// The model with the best ρ_d and k_s within their default bounds for its (s, α, η): stage 1.
     pub fn with_best_amplitudes(&self, brdf: &Brdf) -> Brdf {
-        let space = Space::new(Variant::from(brdf), &Options::default(), self.units());
-        let amplitudes = engine::best_amplitudes(self, brdf, &space.limits);
+        let space = SearchSpace::new(Variant::from(brdf), &Options::default(), self.units());
+        let amplitudes = best_amplitudes(self, brdf, &space.limits);
         let params = space.units.with(&amplitudes, brdf.params);
         Brdf { params, ..*brdf }
     }
@@ -102,13 +95,27 @@ impl Problem {
         self.all.bytes()
     }
 
-    pub(super) fn units(&self) -> Units {
-        Units::new(self.all.scale)
+    pub(super) fn units(&self) -> AmplitudeUnits {
+        AmplitudeUnits::new(self.all.scale)
     }
 
-    pub(super) fn parts(&self, brdf: &Brdf) -> (Lobe, Amplitudes) {
-        let shape = Shape::of(Variant::from(brdf), &brdf.params);
+    pub(super) fn parts(&self, brdf: &Brdf) -> (LobeKernel, Amplitudes) {
+        let shape = LobeShape::of(Variant::from(brdf), &brdf.params);
         let amplitudes = self.units().amplitudes(&brdf.params);
-        (Lobe::new(shape, brdf.fresnel), amplitudes)
+        (LobeKernel::new(shape, brdf.fresnel), amplitudes)
     }
+}
+
+/// The best amplitudes within limits for the shape of a model, whatever its own are: stage 1 alone.
+fn best_amplitudes(problem: &Problem, brdf: &Brdf, limits: &AmplitudeBounds) -> Amplitudes {
+    let all = &problem.all;
+    let (lobe, _) = problem.parts(brdf);
+    let shapes = kernels::shapes(&lobe, all);
+    let start = regression::cold(all, limits);
+    let effort = Effort {
+        band: Effort::COLD.band,
+        ..Effort::CLOSE
+    };
+    let (near, _) = regression::solve(all, &shapes, &start, limits, effort, Threads::Many);
+    exact_l1::solve(all, &shapes, &near, limits)
 }

@@ -2,45 +2,12 @@
 //!
 //! Σ w |a + b x − f| is convex in (a, b). Newton steps on the sum with its kinks rounded off within a band come
 //! near in a few passes [Madsen93]; steps on a parabola that lies above the sum are the way back where one goes too
-//! far. [`super::vertex`] then goes to the exact minimum.
+//! far. [`super::vertex_walk`] then goes to the exact minimum.
 
-use super::passes::{self, Amplitudes, ChannelSums};
-use super::shape::Threads;
-use super::sites::Sites;
-
-/// Bounds of the amplitudes in units of [`Sites::scale`], the same for all channels unless held.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Limits {
-    /// Of ρ_d/π per channel.
-    pub diffuse: [(f64, f64); 3],
-    /// Of k_s per channel.
-    pub specular: [(f64, f64); 3],
-}
-
-impl Limits {
-    /// No room at all.
-    pub fn holding(amplitudes: &Amplitudes) -> Self {
-        Self {
-            diffuse: amplitudes.diffuse.map(|a| (a, a)),
-            specular: amplitudes.specular.map(|b| (b, b)),
-        }
-    }
-
-    /// The bounds of a and b of a channel.
-    pub fn of(&self, channel: usize) -> [(f64, f64); 2] {
-        [self.diffuse[channel], self.specular[channel]]
-    }
-
-    /// The nearest amplitudes within.
-    pub fn clamp(&self, mut amplitudes: Amplitudes) -> Amplitudes {
-        for channel in 0..3 {
-            let [a, b] = self.of(channel);
-            amplitudes.diffuse[channel] = amplitudes.diffuse[channel].clamp(a.0, a.1);
-            amplitudes.specular[channel] = amplitudes.specular[channel].clamp(b.0, b.1);
-        }
-        amplitudes
-    }
-}
+use super::amplitudes::{AmplitudeBounds, Amplitudes};
+use super::kernels::{self, ChannelSums};
+use super::symmetric_cells::SymmetricCells;
+use super::threads::Threads;
 
 /// How long to go on.
 #[derive(Clone, Copy, Debug)]
@@ -70,7 +37,7 @@ impl Effort {
         band: 0.02,
         narrow: 0.05,
     };
-    /// As near as [`super::cells::exact`] has little left to do.
+    /// As near as [`super::exact_l1::exact`] has little left to do.
     pub const CLOSE: Self = Self {
         tolerance: 1e-7,
         passes: 16,
@@ -94,10 +61,10 @@ const NARROW_ENOUGH: f64 = 1.5;
 const SAFEGUARD: f64 = 0.02;
 
 /// Something to begin with where nothing is known: the mean as diffuse, no highlight.
-pub fn cold(sites: &Sites, limits: &Limits) -> Amplitudes {
+pub fn cold(cells: &SymmetricCells, limits: &AmplitudeBounds) -> Amplitudes {
     limits.clamp(Amplitudes {
-        diffuse: sites.shares.map(|share| 2.0 * share),
-        specular: sites.shares.map(|share| 1e-3 * share),
+        diffuse: cells.energy.map(|share| 2.0 * share),
+        specular: cells.energy.map(|share| 1e-3 * share),
     })
 }
 
@@ -113,10 +80,10 @@ struct Descent {
 
 /// The amplitudes that minimise the error, near enough for [`Effort::tolerance`], and the error per channel.
 pub fn solve(
-    sites: &Sites,
+    cells: &SymmetricCells,
     shapes: &[f32],
     start: &Amplitudes,
-    limits: &Limits,
+    limits: &AmplitudeBounds,
     effort: Effort,
     threads: Threads,
 ) -> (Amplitudes, [f64; 3]) {
@@ -131,16 +98,16 @@ pub fn solve(
         band: effort.band,
         careful: false,
         // A black channel has nothing to say.
-        done: sites.shares[k] <= 0.0,
+        done: cells.energy[k] <= 0.0,
     });
     for _ in 0..effort.passes {
         let at = amplitudes(|k| channels[k].at);
         let bands = std::array::from_fn(|k| channels[k].band);
-        let floor = std::array::from_fn(|k| (3e-3 * sites.shares[k] * bands[k]).max(1e-25));
-        let sums = passes::regression(sites, shapes, &at, bands, floor, threads);
+        let floor = std::array::from_fn(|k| (3e-3 * cells.energy[k] * bands[k]).max(1e-25));
+        let sums = kernels::regression(cells, shapes, &at, bands, floor, threads);
         for (k, channel) in channels.iter_mut().enumerate() {
             if !channel.done {
-                channel.learn(&sums[k], &limits.of(k), effort, sites.shares[k]);
+                channel.learn(&sums[k], &limits.of(k), effort, cells.energy[k]);
             }
         }
         if channels.iter().all(|channel| channel.done) {

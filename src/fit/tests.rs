@@ -1,8 +1,10 @@
 //! The kernels against the formulas in f64 and against differences.
 
+use super::amplitudes::Amplitudes;
+use super::kernels;
+use super::lobe_kernel::{LobeKernel, LobeShape};
 use super::options::NO_LIMIT;
-use super::passes::{self, Amplitudes};
-use super::shape::{Lobe, Shape, Threads};
+use super::threads::Threads;
 use super::*;
 use crate::brdf::fresnel::FRESNELS;
 use crate::brdf::{Fresnel, MODELS, Params};
@@ -12,17 +14,22 @@ fn problem() -> Problem {
     Problem::new(&SAMPLES[0].synthesize(), Weight::Cosine, NO_LIMIT).expect("is measured")
 }
 
-/// The largest difference between the lobe of the kernel and that of the model, over the sites of a sample.
-fn worst(problem: &Problem, variant: Variant, params: Params, shape: Shape) -> f64 {
-    let sites = &problem.coarse;
+/// The largest difference between the lobe of the kernel and that of the model, over the cells of a sample.
+fn worst(problem: &Problem, variant: Variant, params: Params, shape: LobeShape) -> f64 {
+    let cells = &problem.coarse;
     let mut shapes = Vec::new();
-    Lobe::new(shape, variant.fresnel).fill(sites, &mut shapes, Threads::One);
+    kernels::fill(
+        &LobeKernel::new(shape, variant.fresnel),
+        cells,
+        &mut shapes,
+        Threads::One,
+    );
     let brdf = variant.with(params);
     let mut worst = 0.0_f64;
-    for row in &sites.rows {
-        let count = row.blocks * lanes::LANES;
-        let found = &shapes[row.site_block * lanes::LANES..][..count];
-        for (found, cos2) in found.iter().zip(sites.cos2_of(row)) {
+    for row in &cells.rows {
+        let count = row.blocks * simd::LANES;
+        let found = &shapes[row.first_block * simd::LANES..][..count];
+        for (found, cos2) in found.iter().zip(cells.cos2_of(row)) {
             let mut center = Grid::FOLDED.center(row.theta_h, row.theta_d, 0);
             center.phi_d = f64::from(*cos2).sqrt().acos();
             let exact = brdf.specular_shape(&center.cosines());
@@ -51,7 +58,7 @@ fn the_kernel_is_every_model_with_every_fresnel_factor() {
                     eta,
                     ..Params::default()
                 };
-                let shape = Shape::of(variant, &params);
+                let shape = LobeShape::of(variant, &params);
                 // A small power is steep where the cosine is 0: f32 holds no versine between 1 - 6e-8 and 1.
                 let limit = if s <= 1.0 { 1e-2 } else { 3e-6 };
                 let off = worst(&problem, variant, params, shape);
@@ -62,7 +69,7 @@ fn the_kernel_is_every_model_with_every_fresnel_factor() {
                     fresnel.key()
                 );
                 // A planted error: an exponent that is off by a thousandth.
-                let planted = Shape {
+                let planted = LobeShape {
                     s: 1.001 * shape.s,
                     ..shape
                 };
@@ -75,7 +82,7 @@ fn the_kernel_is_every_model_with_every_fresnel_factor() {
 #[test]
 fn slopes_are_those_of_the_error() {
     let problem = problem();
-    let sites = &problem.medium;
+    let cells = &problem.medium;
     let amplitudes = Amplitudes {
         diffuse: [0.3, 0.2, 0.1],
         specular: [3.0, 2.0, 1.0],
@@ -86,10 +93,10 @@ fn slopes_are_those_of_the_error() {
         (10.0, 0.1, 2.0),
         (300.0, 0.3, 1.1),
     ] {
-        let point = Shape { s, alpha, eta }.point();
-        let lobe = |point| Lobe::new(Shape::at(point), Fresnel::Exact);
-        let error = |point| passes::error(&lobe(point), sites, &amplitudes, Threads::One);
-        let slopes = passes::slopes(&lobe(point), sites, &amplitudes, 0.005, Threads::One);
+        let point = LobeShape { s, alpha, eta }.point();
+        let lobe = |point| LobeKernel::new(LobeShape::at(point), Fresnel::Exact);
+        let error = |point| kernels::error(&lobe(point), cells, &amplitudes, Threads::One);
+        let slopes = kernels::slopes(&lobe(point), cells, &amplitudes, 0.005, Threads::One);
         assert!((slopes.error - error(point)).abs() < 1e-6 * slopes.error);
         for k in 0..3 {
             let moved = |by: f64| {

@@ -1,7 +1,6 @@
 //! The cosines between a pair of directions and the normal that the models are functions of.
 
-use super::directions::{NORMAL, mirror};
-use super::half_diff::half_vector;
+use super::directions::{NORMAL, half_vector, mirror};
 use glam::DVec3;
 
 /// A cosine clamped at 0, with its versine 1 − cos beside it.

@@ -32,3 +32,20 @@ pub fn wrap(angle: f64, period: f64) -> f64 {
     let wrapped = angle.rem_euclid(period);
     if wrapped < period { wrapped } else { 0.0 }
 }
+
+/// How long a sum of unit vectors must be to have a direction: what is shorter is the rounding of sines and cosines.
+pub(super) const ROUNDING: f64 = 1e-12;
+
+/// Whether wo = −wi up to rounding, so that there is no half vector.
+pub(super) fn opposite(wi: DVec3, wo: DVec3) -> bool {
+    (wi + wo).length_squared() < ROUNDING * ROUNDING
+}
+
+/// The half vector of (wi, wo); the normal where wi = −wo, the limit of pairs that graze from opposite sides.
+pub fn half_vector(wi: DVec3, wo: DVec3) -> DVec3 {
+    if opposite(wi, wo) {
+        NORMAL
+    } else {
+        (wi + wo).normalize()
+    }
+}

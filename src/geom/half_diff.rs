@@ -1,7 +1,7 @@
 //! Half and difference angles [Rusinkiewicz98], the coordinates of isotropic measurements.
 
 use super::cosines::{Cosine, Cosines};
-use super::directions::{NORMAL, theta, wrap};
+use super::directions::{ROUNDING, half_vector, opposite, theta, wrap};
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 
@@ -95,24 +95,9 @@ impl HalfDiff {
     }
 }
 
-/// How long a sum of unit vectors must be to have a direction: what is shorter is the rounding of sines and cosines.
-const ROUNDING: f64 = 1e-12;
-
-fn opposite(wi: DVec3, wo: DVec3) -> bool {
-    (wi + wo).length_squared() < ROUNDING * ROUNDING
-}
-
-/// The half vector of (wi, wo); the normal where wi = −wo, the limit of pairs that graze from opposite sides.
-pub fn half_vector(wi: DVec3, wo: DVec3) -> DVec3 {
-    if opposite(wi, wo) {
-        NORMAL
-    } else {
-        (wi + wo).normalize()
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::directions::NORMAL;
     use super::*;
     use crate::geom::direction;
     use proptest::prelude::*;

@@ -177,7 +177,7 @@ pub const HATCH: [[f32; 4]; 2] = [[0.36, 0.36, 0.40, 1.0], [0.62, 0.62, 0.66, 1.
 
 #[cfg(test)]
 mod tests {
-    use super::super::half_diff::half_vector;
+    use super::super::directions::half_vector;
     use super::*;
     use proptest::prelude::*;
 

@@ -3,6 +3,7 @@
 use super::grid::{THETA_D_BINS, THETA_H_BINS};
 use super::table::Table;
 use crate::geom::{HalfDiff, Rgb};
+use crate::keys;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -32,15 +33,12 @@ pub const LOOKUPS: [Lookup; 2] = [Lookup::Nearest, Lookup::Smooth];
 impl Lookup {
     /// Name in files and on the command line.
     pub fn key(self) -> &'static str {
-        match self {
-            Self::Nearest => "nearest",
-            Self::Smooth => "smooth",
-        }
+        keys::key_at::<Self>(self as usize)
     }
 
     /// The way whose `key` this is.
     pub fn by_key(key: &str) -> Option<Self> {
-        LOOKUPS.into_iter().find(|lookup| lookup.key() == key)
+        keys::by_key(key)
     }
 }
 

@@ -6,15 +6,15 @@ pub mod albedo;
 pub mod grid;
 pub mod lookup;
 pub mod merl;
-mod modelled;
 mod overview;
 pub mod samples;
 pub mod stats;
 pub mod table;
+mod tabulate;
 
 pub use grid::Grid;
 pub use lookup::Lookup;
-pub use modelled::modelled;
 pub use samples::{SAMPLES, Sample};
 pub use stats::ChannelStats;
 pub use table::Table;
+pub use tabulate::tabulate;

@@ -1,13 +1,10 @@
 //! The rows of the command list, in menu order.
 
-use crate::app::command::Command;
-use crate::app::command::Entry;
-use crate::app::command::Place;
+use crate::app::command::{Command, Entry, Place};
 use crate::app::lessons::rows::LESSONS;
 use crate::app::state::prefs::Theme;
 use crate::app::state::views::VIEWS;
-use crate::app::views::sphere::settings::SHOWS;
-use crate::app::views::sphere::settings::Show;
+use crate::app::views::sphere::settings::{SHOWS, Show};
 use crate::brdf::MODELS;
 use crate::brdf::fresnel::{FRESNELS, Fresnel};
 use crate::figure::scale::RADIAL_SCALES;

@@ -1,8 +1,6 @@
 //! The rows of the command list that are about the folder and sessions.
 
-use crate::app::command::Command;
-use crate::app::command::Entry;
-use crate::app::command::Place;
+use crate::app::command::{Command, Entry, Place};
 use egui::{Key, KeyboardShortcut, Modifiers};
 
 /// Puts them behind the rows they belong to.

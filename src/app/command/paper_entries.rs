@@ -1,8 +1,6 @@
 //! The rows of the command list that are about figures and the clipboard.
 
-use crate::app::command::Command;
-use crate::app::command::Entry;
-use crate::app::command::Place;
+use crate::app::command::{Command, Entry, Place};
 use egui::{Key, KeyboardShortcut, Modifiers};
 
 /// Puts them where they belong.

@@ -1,10 +1,7 @@
 //! Fits of the shown material in the background, and fits of ρ_d and k_s alone.
 
 use crate::app::msg::Msg;
-use crate::app::msg::fit::FitMsg;
-use crate::app::msg::fit::FitTask;
-use crate::app::msg::fit::RefitAmplitudes;
-use crate::app::msg::fit::Timed;
+use crate::app::msg::fit::{FitMsg, FitTask, RefitAmplitudes, Timed};
 use crate::app::msg::work::Work;
 use crate::app::state::fitting::run::FitUpdates;
 use crate::app::state::fitting::settings::Setup;

@@ -2,9 +2,7 @@
 
 use crate::app::jobs::Jobs;
 use crate::app::msg::Msg;
-use crate::app::msg::library::FolderFit;
-use crate::app::msg::library::FolderFitUpdate;
-use crate::app::msg::library::LibraryMsg;
+use crate::app::msg::library::{FolderFit, FolderFitUpdate, LibraryMsg};
 use crate::app::msg::work::Work;
 use crate::app::state::fitting::settings::Setup;
 use crate::files::FileError;

@@ -1,15 +1,10 @@
 //! Tasks of the library.
 
-use crate::app::jobs::Jobs;
-use crate::app::jobs::dialogs::NOT_OPENED;
-use crate::app::jobs::dialogs::Picker;
-use crate::app::jobs::dialogs::ask;
-use crate::app::jobs::dialogs::ask_and_write;
-use crate::app::jobs::folder_fit;
+use crate::app::jobs::dialogs::{NOT_OPENED, Picker, ask, ask_and_write};
 use crate::app::jobs::scan::Scanner;
+use crate::app::jobs::{Jobs, folder_fit};
 use crate::app::msg::Msg;
-use crate::app::msg::library::LibraryMsg;
-use crate::app::msg::library::LibraryTask;
+use crate::app::msg::library::{LibraryMsg, LibraryTask};
 use crate::files::fits::write_json;
 use std::sync::Arc;
 

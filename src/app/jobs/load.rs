@@ -1,10 +1,9 @@
 //! Reading files and making samples in the background.
 
-use crate::app::msg::Loaded;
-use crate::app::msg::Msg;
 use crate::app::msg::library::LibraryMsg;
 use crate::app::msg::session::SessionMsg;
 use crate::app::msg::work::Work;
+use crate::app::msg::{Loaded, Msg};
 use crate::app::session;
 use crate::app::session::places::find;
 use crate::app::state::job::CancelFlag;

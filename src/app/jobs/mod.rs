@@ -17,9 +17,7 @@ pub mod session;
 
 use crate::app::jobs::sender::Sender;
 use crate::app::msg::Msg;
-use crate::app::msg::work::OnPanic;
-use crate::app::msg::work::Order;
-use crate::app::msg::work::Work;
+use crate::app::msg::work::{OnPanic, Order, Work};
 use crate::app::state::notice::Level;
 use std::any::Any;
 use std::collections::{HashMap, VecDeque};

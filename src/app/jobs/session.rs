@@ -1,14 +1,9 @@
 //! Tasks of sessions.
 
 use crate::app::jobs::Jobs;
-use crate::app::jobs::dialogs::NOT_OPENED;
-use crate::app::jobs::dialogs::NOT_SAVED;
-use crate::app::jobs::dialogs::Picker;
-use crate::app::jobs::dialogs::ask;
-use crate::app::jobs::dialogs::saved_notice;
+use crate::app::jobs::dialogs::{NOT_OPENED, NOT_SAVED, Picker, ask, saved_notice};
 use crate::app::msg::Msg;
-use crate::app::msg::session::SessionMsg;
-use crate::app::msg::session::SessionTask;
+use crate::app::msg::session::{SessionMsg, SessionTask};
 use crate::app::msg::work::Work;
 use crate::app::session::file::SessionFile;
 use crate::files;

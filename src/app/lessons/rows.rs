@@ -1,9 +1,6 @@
 //! The lessons themselves.
 
-use crate::app::lessons::Lesson;
-use crate::app::lessons::LookAt;
-use crate::app::lessons::Set;
-use crate::app::lessons::Step;
+use crate::app::lessons::{Lesson, LookAt, Set, Step};
 use crate::app::state::views::ViewId;
 use crate::app::views::sphere::settings::Show;
 use crate::brdf::{Fresnel, ParamId};

@@ -2,11 +2,7 @@
 
 use crate::app::msg::Msg;
 use crate::app::msg::work::Work;
-use crate::app::state::cache::Cache;
-use crate::app::state::cache::Caches;
-use crate::app::state::cache::Query;
-use crate::app::state::cache::Start;
-use crate::app::state::cache::Update;
+use crate::app::state::cache::{Cache, Caches, Query, Start, Update};
 use std::fmt;
 use std::marker::PhantomData;
 use std::ops::ControlFlow;

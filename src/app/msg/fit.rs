@@ -2,8 +2,7 @@
 
 use crate::app::state::fitting::kept::SortBy;
 use crate::app::state::fitting::run::FitUpdates;
-use crate::app::state::fitting::settings::Settings;
-use crate::app::state::fitting::settings::Setup;
+use crate::app::state::fitting::settings::{Settings, Setup};
 use crate::app::state::job::CancelFlag;
 use crate::app::state::material::MaterialId;
 use crate::brdf::Brdf;

@@ -1,8 +1,7 @@
 //! Messages and tasks of the library.
 
 use crate::app::state::fitting::settings::Setup;
-use crate::app::state::job::CancelFlag;
-use crate::app::state::job::Hold;
+use crate::app::state::job::{CancelFlag, Hold};
 use crate::app::state::library::Examined;
 use crate::app::state::library::listing::Sort;
 use crate::files::fits::FitRecord;

@@ -1,7 +1,4 @@
 //! Messages: what happened; and tasks: what is to be done outside the state.
-
-use crate::app::state::layout::Tiles;
-
 pub mod cache;
 pub mod figure;
 pub mod fit;
@@ -11,17 +8,13 @@ pub mod work;
 
 use crate::app::command::Command;
 use crate::app::msg::cache::CacheMsg;
-use crate::app::msg::figure::FigureMsg;
-use crate::app::msg::figure::FigureTask;
-use crate::app::msg::fit::FitMsg;
-use crate::app::msg::fit::FitTask;
-use crate::app::msg::fit::RefitAmplitudes;
-use crate::app::msg::library::LibraryMsg;
-use crate::app::msg::library::LibraryTask;
-use crate::app::msg::session::SessionMsg;
-use crate::app::msg::session::SessionTask;
+use crate::app::msg::figure::{FigureMsg, FigureTask};
+use crate::app::msg::fit::{FitMsg, FitTask, RefitAmplitudes};
+use crate::app::msg::library::{LibraryMsg, LibraryTask};
+use crate::app::msg::session::{SessionMsg, SessionTask};
 use crate::app::msg::work::Work;
 use crate::app::state::job::CancelFlag;
+use crate::app::state::layout::Tiles;
 use crate::app::state::material::Origin;
 use crate::app::state::notice::Level;
 use crate::app::state::probe::Probe;
@@ -38,7 +31,7 @@ use crate::brdf::{Brdf, ParamId};
 use crate::figure::page::Lobe3dSpec as Lobe3dView;
 use crate::files::fits::MaterialFits;
 use crate::files::{ModelFormat, SourceFile};
-use crate::fit::start;
+use crate::fit::initial_guess;
 use crate::measured::Table;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -155,7 +148,7 @@ pub struct Loaded {
 impl Loaded {
     /// A table with its first guess; part of the job, as it walks the data.
     pub fn new(name: String, source: Option<SourceFile>, table: Table) -> Self {
-        let guess = start::from_table(&table);
+        let guess = initial_guess::from_table(&table);
         Self {
             name,
             source,

@@ -1,7 +1,6 @@
 //! The windows over the window: all commands, conventions, about.
 
-use crate::app::command::ENTRIES;
-use crate::app::command::Entry;
+use crate::app::command::{ENTRIES, Entry};
 use crate::app::msg::Msg;
 use crate::app::panels::figure::figure_ui;
 use crate::app::state::State;

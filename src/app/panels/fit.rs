@@ -3,8 +3,7 @@
 use crate::app::command::Command;
 use crate::app::msg::Msg;
 use crate::app::msg::fit::FitMsg;
-use crate::app::panels::fit_result;
-use crate::app::panels::fit_stages;
+use crate::app::panels::{fit_result, fit_stages};
 use crate::app::state::State;
 use crate::app::state::fitting::settings::Settings;
 use crate::app::widgets::paint::rich_text_job;

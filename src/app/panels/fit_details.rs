@@ -1,8 +1,7 @@
 //! All that is known of a kept fit, for hovering; and how E is written.
 
 use crate::app::state::State;
-use crate::app::state::fitting::kept::KeptFit;
-use crate::app::state::fitting::kept::variant_name;
+use crate::app::state::fitting::kept::{KeptFit, variant_name};
 use crate::app::widgets::formula::number;
 use crate::app::widgets::paint::rich_text_job;
 use crate::brdf::params::ALL;

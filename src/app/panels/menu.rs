@@ -1,9 +1,6 @@
 //! The menu bar, made from the command list.
 
-use crate::app::command::Command;
-use crate::app::command::ENTRIES;
-use crate::app::command::Entry;
-use crate::app::command::MENUS;
+use crate::app::command::{Command, ENTRIES, Entry, MENUS};
 use crate::app::msg::Msg;
 use crate::app::state::State;
 use crate::files::folder::shown_name;

@@ -1,12 +1,10 @@
 //! The model: its formula with live numbers and a slider per parameter row.
 
-use crate::app::command::Command;
-use crate::app::command::ENTRIES;
+use crate::app::command::{Command, ENTRIES};
 use crate::app::lessons::LookAt;
 use crate::app::msg::Msg;
 use crate::app::panels::lesson;
-use crate::app::state::Scene;
-use crate::app::state::State;
+use crate::app::state::{Scene, State};
 use crate::app::widgets::formula;
 use crate::app::widgets::paint::rich_text_job;
 use crate::brdf::params::Scale;

@@ -3,8 +3,7 @@
 use crate::app::msg::Msg;
 use crate::app::msg::session::SessionMsg;
 use crate::app::state::State;
-use crate::app::state::session::Crashed;
-use crate::app::state::session::Missing;
+use crate::app::state::session::{Crashed, Missing};
 use egui::{Align2, Id, Window};
 use std::time::Duration;
 

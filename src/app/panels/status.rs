@@ -3,8 +3,7 @@
 use crate::app::command::Command;
 use crate::app::msg::Msg;
 use crate::app::state::State;
-use crate::app::state::probe::Probe;
-use crate::app::state::probe::ratio;
+use crate::app::state::probe::{Probe, ratio};
 use crate::app::widgets::paint::rich_text_job;
 use crate::figure::text::RichText;
 use crate::geom::{HalfDiff, Rgb, directions};

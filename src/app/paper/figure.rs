@@ -1,14 +1,11 @@
 //! What the window shows as a figure: the same views of the same subjects.
 
 use crate::app::state::State;
-use crate::app::state::material::Material;
-use crate::app::state::material::Opened;
-use crate::app::state::material::Origin;
+use crate::app::state::material::{Material, Opened, Origin};
 use crate::app::state::subject_key::What;
 use crate::app::state::subjects::Subjects;
 use crate::app::state::views::ViewId;
-use crate::app::views::landscape::settings::path;
-use crate::app::views::landscape::settings::place;
+use crate::app::views::landscape::settings::{path, place};
 use crate::app::views::scatter::combined_fits;
 use crate::app::views::slices::settings::through;
 use crate::app::views::sphere::settings::Show;

@@ -1,16 +1,12 @@
 //! Drawing figures in the background: for the preview, for files and for the clipboard.
 
 use crate::app::jobs::Jobs;
-use crate::app::jobs::dialogs::SavePicker;
-use crate::app::jobs::dialogs::ask_and_do;
+use crate::app::jobs::dialogs::{SavePicker, ask_and_do};
 use crate::app::msg::Msg;
 use crate::app::msg::work::Work;
-use crate::app::paper::figure::Drawable;
-use crate::app::paper::figure::default_name;
+use crate::app::paper::figure::{Drawable, default_name};
 use crate::app::state::State;
-use crate::app::state::cache::Query;
-use crate::app::state::cache::Update;
-use crate::app::state::cache::WhenNewer;
+use crate::app::state::cache::{Query, Update, WhenNewer};
 use crate::app::state::notice::Level;
 use crate::app::state::views::ViewId;
 use crate::export::{

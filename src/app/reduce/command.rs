@@ -1,23 +1,12 @@
 //! What each command does to the state.
 
 use crate::app::command::Command;
-use crate::app::msg::ModelExport;
-use crate::app::msg::Msg;
-use crate::app::msg::Task;
 use crate::app::msg::figure::FigureTask;
 use crate::app::msg::fit::FitMsg;
-use crate::app::msg::library::LibraryMsg;
-use crate::app::msg::library::LibraryTask;
-use crate::app::reduce::apply;
-use crate::app::reduce::edit;
-use crate::app::reduce::edit_brdf;
-use crate::app::reduce::figure;
-use crate::app::reduce::fit;
-use crate::app::reduce::folder_fit;
-use crate::app::reduce::lesson;
+use crate::app::msg::library::{LibraryMsg, LibraryTask};
+use crate::app::msg::{ModelExport, Msg, Task};
 use crate::app::reduce::opening::load;
-use crate::app::reduce::session;
-use crate::app::reduce::show;
+use crate::app::reduce::{apply, edit, edit_brdf, figure, fit, folder_fit, lesson, session, show};
 use crate::app::state::State;
 use crate::app::state::fitting::settings::Settings;
 use crate::app::state::layout::Tiles;

@@ -1,8 +1,7 @@
 //! How the state changes when a figure is made.
 
 use crate::app::msg::Task;
-use crate::app::msg::figure::FigureMsg;
-use crate::app::msg::figure::FigureTask;
+use crate::app::msg::figure::{FigureMsg, FigureTask};
 use crate::app::state::State;
 use crate::app::state::notice::Dialog;
 use crate::app::state::views::ViewId;

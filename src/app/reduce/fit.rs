@@ -1,20 +1,13 @@
 //! How the state changes when a fit starts, speaks, stops and ends.
 
 use crate::app::msg::Task;
-use crate::app::msg::fit::FitMsg;
-use crate::app::msg::fit::FitTask;
-use crate::app::msg::fit::RefitAmplitudes;
-use crate::app::msg::fit::Timed;
-use crate::app::reduce::edit;
-use crate::app::reduce::edit_brdf;
-use crate::app::reduce::notify;
+use crate::app::msg::fit::{FitMsg, FitTask, RefitAmplitudes, Timed};
+use crate::app::reduce::{edit, edit_brdf, notify};
 use crate::app::state::State;
 use crate::app::state::fitting::kept::KeptFit;
-use crate::app::state::fitting::run::Part;
-use crate::app::state::fitting::run::Run;
+use crate::app::state::fitting::run::{Part, Run};
 use crate::app::state::job::CancelFlag;
-use crate::app::state::material::MaterialId;
-use crate::app::state::material::Opened;
+use crate::app::state::material::{MaterialId, Opened};
 use crate::app::state::notice::Level;
 use crate::app::state::views::ViewId;
 use crate::brdf::{Brdf, Fresnel};

@@ -1,17 +1,11 @@
 //! What a fit file does to the state: its models are laid over the materials that were fitted.
 
-use crate::app::msg::Loaded;
-use crate::app::msg::Task;
-use crate::app::reduce::edit;
-use crate::app::reduce::fit;
-use crate::app::reduce::notify;
-use crate::app::reduce::opening::add_material;
-use crate::app::reduce::opening::load_with;
+use crate::app::msg::{Loaded, Task};
+use crate::app::reduce::opening::{add_material, load_with};
+use crate::app::reduce::{edit, fit, notify};
 use crate::app::state::State;
 use crate::app::state::fitting::kept::KeptFit;
-use crate::app::state::material::Material;
-use crate::app::state::material::MaterialId;
-use crate::app::state::material::Origin;
+use crate::app::state::material::{Material, MaterialId, Origin};
 use crate::app::state::notice::Level;
 use crate::files::fits::MaterialFits;
 use crate::files::{FileError, SourceFile};

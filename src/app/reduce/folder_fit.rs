@@ -1,19 +1,13 @@
 //! Fitting all files of the folder: what is asked for, how far it is, and what is kept of it.
 
 use crate::app::msg::Task;
-use crate::app::msg::library::FolderFit;
-use crate::app::msg::library::FolderFitUpdate;
-use crate::app::msg::library::LibraryTask;
-use crate::app::reduce::fit_files;
-use crate::app::reduce::notify;
+use crate::app::msg::library::{FolderFit, FolderFitUpdate, LibraryTask};
+use crate::app::reduce::{fit_files, notify};
 use crate::app::state::State;
 use crate::app::state::fitting::kept::KeptFit;
 use crate::app::state::fitting::settings::Setup;
-use crate::app::state::folder_fit::blocked;
-use crate::app::state::folder_fit::measured;
-use crate::app::state::folder_fit::model;
-use crate::app::state::job::CancelFlag;
-use crate::app::state::job::Hold;
+use crate::app::state::folder_fit::{blocked, measured, model};
+use crate::app::state::job::{CancelFlag, Hold};
 use crate::app::state::library::folder_run::FolderRun;
 use crate::app::state::notice::Level;
 use crate::brdf::Fresnel;

@@ -2,12 +2,9 @@
 
 use crate::app::lessons::Set;
 use crate::app::lessons::rows::LESSONS;
-use crate::app::msg::Msg;
-use crate::app::msg::Task;
-use crate::app::reduce::apply;
-use crate::app::reduce::edit;
-use crate::app::reduce::edit_brdf;
+use crate::app::msg::{Msg, Task};
 use crate::app::reduce::opening::load;
+use crate::app::reduce::{apply, edit, edit_brdf};
 use crate::app::state::State;
 use crate::app::state::fitting::settings::Settings;
 use crate::app::state::lesson::LessonAt;

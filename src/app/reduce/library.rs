@@ -1,18 +1,11 @@
 //! How the state changes when a folder is opened, looked at and stepped through.
 
 use crate::app::msg::Task;
-use crate::app::msg::library::LibraryMsg;
-use crate::app::msg::library::LibraryTask;
-use crate::app::reduce::folder_fit;
-use crate::app::reduce::memory;
-use crate::app::reduce::notify;
-use crate::app::reduce::show;
+use crate::app::msg::library::{LibraryMsg, LibraryTask};
+use crate::app::reduce::{folder_fit, memory, notify, show};
 use crate::app::state::State;
 use crate::app::state::job::CancelFlag;
-use crate::app::state::library::Folder;
-use crate::app::state::library::FolderFile;
-use crate::app::state::library::Kind;
-use crate::app::state::library::Scan;
+use crate::app::state::library::{Folder, FolderFile, Kind, Scan};
 use crate::app::state::notice::Level;
 use crate::app::state::prefs::MemoryLimit;
 use crate::files;

@@ -2,17 +2,10 @@
 
 use crate::app::msg::Task;
 use crate::app::state::State;
-use crate::app::state::job::CancelFlag;
-use crate::app::state::job::Job;
-use crate::app::state::job::Purpose;
+use crate::app::state::job::{CancelFlag, Job, Purpose};
 use crate::app::state::library::Pending;
-use crate::app::state::material::Material;
-use crate::app::state::material::MaterialId;
-use crate::app::state::material::Presence;
-use crate::app::state::memory::Held;
-use crate::app::state::memory::bytes;
-use crate::app::state::memory::cell_bytes;
-use crate::app::state::memory::to_evict;
+use crate::app::state::material::{Material, MaterialId, Presence};
+use crate::app::state::memory::{Held, bytes, cell_bytes, to_evict};
 use crate::measured::{Grid, Table};
 
 /// The materials whose tables must stay: the shown one, those beside it, and the one that is fitted.

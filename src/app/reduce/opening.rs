@@ -1,19 +1,10 @@
 //! Opening: a job that loads, and a place in the scene for what it brings.
 
-use crate::app::msg::Loaded;
-use crate::app::msg::Task;
-use crate::app::reduce::edit;
-use crate::app::reduce::fit_files;
-use crate::app::state::Scene;
-use crate::app::state::State;
-use crate::app::state::job::CancelFlag;
-use crate::app::state::job::Job;
-use crate::app::state::job::Purpose;
-use crate::app::state::material::Material;
-use crate::app::state::material::MaterialId;
-use crate::app::state::material::Opened;
-use crate::app::state::material::Origin;
-use crate::app::state::material::Presence;
+use crate::app::msg::{Loaded, Task};
+use crate::app::reduce::{edit, fit_files};
+use crate::app::state::job::{CancelFlag, Job, Purpose};
+use crate::app::state::material::{Material, MaterialId, Opened, Origin, Presence};
+use crate::app::state::{Scene, State};
 use crate::files::fits::MaterialFits;
 use crate::files::folder::shown_name;
 use crate::measured::samples::SAMPLES;

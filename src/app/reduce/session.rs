@@ -1,13 +1,11 @@
 //! How the state changes when sessions are saved, opened and looked for.
 
 use crate::app::msg::Task;
-use crate::app::msg::session::SessionMsg;
-use crate::app::msg::session::SessionTask;
+use crate::app::msg::session::{SessionMsg, SessionTask};
 use crate::app::reduce::open_session;
 use crate::app::session::file::SessionFile;
 use crate::app::state::State;
-use crate::app::state::material::MaterialId;
-use crate::app::state::material::Presence;
+use crate::app::state::material::{MaterialId, Presence};
 use crate::files::session;
 use crate::files::session::ENDING;
 

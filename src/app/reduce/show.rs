@@ -1,24 +1,12 @@
 //! Showing files and materials: what is asked for is loaded first, and the newest pending wins.
 
-use crate::app::msg::Loaded;
-use crate::app::msg::Task;
-use crate::app::reduce::edit;
-use crate::app::reduce::fit_files;
-use crate::app::reduce::memory;
-use crate::app::reduce::notify;
-use crate::app::reduce::opening::add_material;
-use crate::app::reduce::opening::add_material_at;
-use crate::app::reduce::opening::load;
-use crate::app::reduce::opening::load_with;
+use crate::app::msg::{Loaded, Task};
+use crate::app::reduce::opening::{add_material, add_material_at, load, load_with};
+use crate::app::reduce::{edit, fit_files, memory, notify};
 use crate::app::state::State;
 use crate::app::state::job::Purpose;
-use crate::app::state::library::Kind;
-use crate::app::state::library::Pending;
-use crate::app::state::library::Preview;
-use crate::app::state::library::Target;
-use crate::app::state::material::MaterialId;
-use crate::app::state::material::Origin;
-use crate::app::state::material::Presence;
+use crate::app::state::library::{Kind, Pending, Preview, Target};
+use crate::app::state::material::{MaterialId, Origin, Presence};
 use crate::app::state::notice::Level;
 use crate::files::FileError;
 use std::path::PathBuf;

@@ -1,12 +1,7 @@
 //! From the text of a session to its data. What is not understood is left out and spoken about, the rest is taken.
 
 use crate::app::session::differences::differences;
-use crate::app::session::file::SavedBrdf;
-use crate::app::session::file::SavedFit;
-use crate::app::session::file::SavedMaterial;
-use crate::app::session::file::SessionFile;
-use crate::app::session::file::VERSION;
-use crate::app::session::file::Views;
+use crate::app::session::file::{SavedBrdf, SavedFit, SavedMaterial, SessionFile, VERSION, Views};
 use crate::app::session::sane;
 use crate::app::state::Scene;
 use crate::app::state::layout::Tiles;

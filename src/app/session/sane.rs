@@ -1,12 +1,9 @@
 //! The one place where what a file says is brought to what there can be: every number in its range, every position
 //! inside its list, unit vectors of length 1. What is possible stays to the last bit.
 
-use crate::app::session::file::SavedFitting;
-use crate::app::session::file::SavedMaterial;
-use crate::app::session::file::SavedProbe;
-use crate::app::session::file::SavedWhat;
-use crate::app::session::file::SessionFile;
-use crate::app::session::file::Views;
+use crate::app::session::file::{
+    SavedFitting, SavedMaterial, SavedProbe, SavedWhat, SessionFile, Views,
+};
 use crate::brdf::params::Param;
 use crate::brdf::{Fresnel, Model, params};
 use crate::figure::lobes::MAX_THETA_I;

@@ -4,19 +4,12 @@ use crate::app::msg::Msg;
 use crate::app::msg::session::SessionMsg;
 use crate::app::reduce::apply;
 use crate::app::session::file::SessionFile;
-use crate::app::session::places::Found;
-use crate::app::session::places::find;
+use crate::app::session::places::{Found, find};
 use crate::app::state::State;
-use crate::app::state::fitting::kept::KeptFit;
-use crate::app::state::fitting::kept::SortBy;
-use crate::app::state::material::Material;
-use crate::app::state::material::MaterialId;
-use crate::app::state::material::Opened;
-use crate::app::state::material::Origin;
-use crate::app::state::material::Presence;
+use crate::app::state::fitting::kept::{KeptFit, SortBy};
+use crate::app::state::material::{Material, MaterialId, Opened, Origin, Presence};
 use crate::app::state::probe::Probe;
-use crate::app::state::subject_key::SubjectKey;
-use crate::app::state::subject_key::What;
+use crate::app::state::subject_key::{SubjectKey, What};
 use crate::app::state::views::ViewId;
 use crate::app::views::sphere::settings::Show;
 use crate::brdf::{Brdf, Fresnel, MODELS, Params};
@@ -82,7 +75,7 @@ fn kept(brdf: Brdf, error: f64) -> KeptFit {
             evaluations: 34,
             ended: Ended::Limit,
             albedo,
-            concerns: crate::fit::concerns::of(&brdf, &options, &albedo),
+            concerns: crate::fit::diagnostics::diagnose(&brdf, &options, &albedo),
         },
         setup,
         seconds: Some(1.75),

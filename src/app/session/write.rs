@@ -1,24 +1,13 @@
 //! From the state to the data of a session.
 
-use crate::app::session::file::Grey;
-use crate::app::session::file::SavedBrdf;
-use crate::app::session::file::SavedFit;
-use crate::app::session::file::SavedFitting;
-use crate::app::session::file::SavedKey;
-use crate::app::session::file::SavedMaterial;
-use crate::app::session::file::SavedProbe;
-use crate::app::session::file::SavedWhat;
-use crate::app::session::file::SessionFile;
-use crate::app::session::file::VERSION;
-use crate::app::session::file::Views;
+use crate::app::session::file::{
+    Grey, SavedBrdf, SavedFit, SavedFitting, SavedKey, SavedMaterial, SavedProbe, SavedWhat,
+    SessionFile, VERSION, Views,
+};
 use crate::app::state::State;
 use crate::app::state::fitting::FitState;
-use crate::app::state::material::MaterialId;
-use crate::app::state::material::Opened;
-use crate::app::state::material::Origin;
-use crate::app::state::material::Presence;
-use crate::app::state::subject_key::SubjectKey;
-use crate::app::state::subject_key::What;
+use crate::app::state::material::{MaterialId, Opened, Origin, Presence};
+use crate::app::state::subject_key::{SubjectKey, What};
 use crate::brdf::params::ALL;
 use crate::files::session::SavedSource;
 use crate::fit::STAGES;

@@ -1,8 +1,6 @@
 //! The tiles and where they are.
 
-use crate::app::state::views::Home;
-use crate::app::state::views::VIEWS;
-use crate::app::state::views::ViewId;
+use crate::app::state::views::{Home, VIEWS, ViewId};
 use egui_tiles::{Container, Tile, Tree};
 use serde::{Deserialize, Serialize};
 

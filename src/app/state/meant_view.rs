@@ -1,8 +1,7 @@
 //! The view that commands and figures are about.
 
 use crate::app::state::State;
-use crate::app::state::views::OnPaper;
-use crate::app::state::views::ViewId;
+use crate::app::state::views::{OnPaper, ViewId};
 use crate::brdf::{Brdf, ParamId};
 
 impl State {

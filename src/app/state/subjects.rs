@@ -1,13 +1,9 @@
 //! Whom the plots show: the shown material, its model and its ticked fits, then the materials beside it.
 
-use crate::app::state::Scene;
-use crate::app::state::State;
-use crate::app::state::fitting::kept::KeptFit;
-use crate::app::state::fitting::kept::variant_name;
-use crate::app::state::material::Material;
-use crate::app::state::material::Opened;
-use crate::app::state::subject_key::SubjectKey;
-use crate::app::state::subject_key::What;
+use crate::app::state::fitting::kept::{KeptFit, variant_name};
+use crate::app::state::material::{Material, Opened};
+use crate::app::state::subject_key::{SubjectKey, What};
+use crate::app::state::{Scene, State};
 use crate::brdf::Fresnel;
 use crate::figure::palette::companion;
 use crate::figure::subject::{Look, Source, Subject};

@@ -1,8 +1,7 @@
 //! Values of data and model at the probe.
 
 use crate::app::state::State;
-use crate::app::state::probe::Probe;
-use crate::app::state::probe::ratio;
+use crate::app::state::probe::{Probe, ratio};
 use crate::geom::{Rgb, directions};
 
 impl State {

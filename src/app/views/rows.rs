@@ -3,16 +3,9 @@
 use crate::app::msg::Msg;
 use crate::app::state::State;
 use crate::app::state::views::ViewId;
-use crate::app::views::albedo;
-use crate::app::views::error_map;
-use crate::app::views::fits;
-use crate::app::views::image;
-use crate::app::views::landscape;
-use crate::app::views::lobe3d;
-use crate::app::views::lobes;
-use crate::app::views::scatter;
-use crate::app::views::slices;
-use crate::app::views::sphere;
+use crate::app::views::{
+    albedo, error_map, fits, image, landscape, lobe3d, lobes, scatter, slices, sphere,
+};
 
 /// What draws a view.
 pub struct Row {

@@ -1,12 +1,12 @@
 use super::*;
-use crate::brdf::{Brdf, Fresnel, MODELS, Params};
+use crate::brdf::{Brdf, COMBINED, Fresnel, Params};
 use crate::measured::Table;
 use crate::measured::lookup::Lookup;
 use std::sync::Arc;
 
 fn brdf() -> Brdf {
     Brdf {
-        model: MODELS[2],
+        model: &COMBINED,
         fresnel: Fresnel::Exact,
         params: Params::default(),
     }

@@ -1,6 +1,6 @@
 use super::*;
 use crate::brdf::fresnel::Fresnel;
-use crate::brdf::{Brdf, MODELS, Params};
+use crate::brdf::{Brdf, COMBINED, Params};
 use crate::figure::palette::Role;
 use crate::figure::scale::RadialScale;
 use crate::figure::subject::{Channel, Look, Source, Subject};
@@ -40,7 +40,7 @@ fn lambert() -> Subject {
 
 fn glossy() -> Subject {
     subject(Source::Model(Brdf {
-        model: MODELS[2],
+        model: &COMBINED,
         fresnel: Fresnel::Exact,
         params: Params {
             rho_d: [0.3, 0.2, 0.1],

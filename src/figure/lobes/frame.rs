@@ -1,6 +1,6 @@
 //! Where angles and values are in a lobe plot.
 
-use super::{MAX_THETA_I, distance};
+use super::spec::MAX_THETA_I;
 use crate::figure::drawing::Point;
 use crate::figure::scale::Axis;
 use std::f64::consts::FRAC_PI_2;
@@ -82,4 +82,9 @@ impl LobeFrame {
             f64::from(self.origin[1]) - f64::from(point[1]),
         )
     }
+}
+
+/// Distance of two points of a drawing, in points.
+pub(super) fn distance(a: Point, b: Point) -> f32 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
 }

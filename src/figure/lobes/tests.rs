@@ -1,11 +1,14 @@
+use super::frame::distance;
 use super::*;
-use crate::figure::drawing::Item;
+use crate::figure::drawing::{Item, Point};
+use crate::figure::mark::Mark;
 use crate::figure::palette::Role;
 use crate::figure::polyline::off_segment;
-use crate::figure::scale::RADIAL_SCALES;
-use crate::figure::subject::{CHANNELS, Look, Source};
+use crate::figure::scale::{RADIAL_SCALES, RadialScale};
+use crate::figure::subject::{CHANNELS, Channel, Look, Source};
 use crate::geom::Cosines;
 use crate::geom::Rgb;
+use glam::DVec3;
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 

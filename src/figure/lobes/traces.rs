@@ -1,6 +1,6 @@
 //! The numbers of a lobe plot: every curve sampled over θo for every θi.
 
-use super::LobeSpec;
+use super::spec::LobeSpec;
 use crate::figure::samples::{self, Sample};
 use crate::figure::subject::Subject;
 use std::f64::consts::FRAC_PI_2;

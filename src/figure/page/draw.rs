@@ -1,9 +1,12 @@
 //! Panels in rows on a page, with what names them.
 
+use super::fit_output::FitOutput;
 use super::lock::lock;
-use super::panel::{self, Drawn, Input};
-use super::place::{Placing, place};
-use super::{Made, PageSpec, PanelSpec, Style, ViewSpec};
+use super::panel;
+use super::panel_io::{PanelDrawing, PanelInput};
+use super::place::{PagePlacement, place};
+use super::spec::{PageSpec, PanelSpec, ViewSpec};
+use super::style::Style;
 use crate::figure::drawing::{
     Anchor, Drawing, Item, LARGEST_FONT, LINE_HEIGHT, Label, SMALLEST_FONT,
 };
@@ -32,13 +35,17 @@ const MARGIN: f32 = 2.0;
 ///
 /// # Errors
 /// One sentence where the spec cannot be drawn: no panels, a number out of range, a subject that is not there.
-pub fn draw(spec: &PageSpec, subjects: &[Subject], made: &[Option<Made>]) -> Result<Page, String> {
+pub fn draw(
+    spec: &PageSpec,
+    subjects: &[Subject],
+    made: &[Option<FitOutput>],
+) -> Result<Page, String> {
     check(spec, subjects)?;
     let palette = spec.style.palette.palette();
     let layout = Layout::new(spec);
     let mut spec = spec.clone();
     let places = layout.places();
-    let draw_panel = |panel: &PanelSpec, view: &ViewSpec, index: usize| -> Drawn {
+    let draw_panel = |panel: &PanelSpec, view: &ViewSpec, index: usize| -> PanelDrawing {
         let named: Vec<Subject> = panel
             .subjects
             .iter()
@@ -50,7 +57,7 @@ pub fn draw(spec: &PageSpec, subjects: &[Subject], made: &[Option<Made>]) -> Res
         let scale = layout.scale(width, height);
         panel::draw(
             view,
-            &Input {
+            &PanelInput {
                 subjects: &unnamed(&named, view),
                 named: &named,
                 made: made.get(index).and_then(Option::as_ref),
@@ -75,7 +82,7 @@ pub fn draw(spec: &PageSpec, subjects: &[Subject], made: &[Option<Made>]) -> Res
     for (index, panel) in panels.enumerate() {
         let drawn = draw_panel(panel, &panel.view, index);
         let [x, y, width, height] = places[index];
-        let how = Placing {
+        let how = PagePlacement {
             at: [x, y],
             scale: layout.scale(width, height),
             lines: layout.lines,
@@ -307,7 +314,7 @@ impl<'a> Layout<'a> {
             }
             end += line;
         }
-        let how = Placing {
+        let how = PagePlacement {
             at: [0.0; 2],
             scale: 1.0,
             lines: self.lines,

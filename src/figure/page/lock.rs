@@ -1,7 +1,8 @@
 //! The same axis of values for all panels of a kind.
 
-use super::panel::Drawn;
-use super::{PageSpec, SameAxes, ViewSpec};
+use super::panel_io::PanelDrawing;
+use super::spec::{PageSpec, ViewSpec};
+use super::style::SameAxes;
 use crate::figure::image_slice::Shown;
 use crate::figure::scale::{Axis, RadialScale};
 use crate::figure::subject::Channel;
@@ -35,7 +36,7 @@ fn limits(view: &mut ViewSpec) -> Option<&mut Option<[f64; 2]>> {
 
 /// Gives panels of a kind the limits that hold all of them; those that have limits keep theirs. `draw` draws a panel
 /// by its number.
-pub(super) fn lock(spec: &mut PageSpec, mut draw: impl FnMut(usize, &ViewSpec) -> Drawn) {
+pub(super) fn lock(spec: &mut PageSpec, mut draw: impl FnMut(usize, &ViewSpec) -> PanelDrawing) {
     let in_rows = match spec.style.same_axes {
         SameAxes::Panel => return,
         SameAxes::Row => true,

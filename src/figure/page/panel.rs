@@ -1,7 +1,9 @@
 //! One panel: the drawing that the window shows, and the numbers in it.
 
+use super::fit_output::FitOutput;
+use super::panel_io::{PanelDrawing, PanelInput};
+use super::spec::{ErrorMapSpec, LandscapePanel, Lobe3dSpec, ViewSpec};
 use super::sphere::sphere;
-use super::{ErrorMapSpec, LandscapePanel, Lobe3dSpec, Made, ViewSpec};
 use crate::figure::albedo::{AlbedoCurve, AlbedoPlot, AlbedoSpec, curve};
 use crate::figure::drawing::Drawing;
 use crate::figure::error_map::ErrorSpec;
@@ -10,40 +12,14 @@ use crate::figure::image_slice::{ImageSpec, Shown};
 use crate::figure::landscape::LandscapeSpec;
 use crate::figure::lobe3d::{Detail, Lobes, Overlay, Shape, picture};
 use crate::figure::lobes::{LobePlot, LobeSpec};
-use crate::figure::palette::{Palette, Role};
-use crate::figure::scale::Axis;
+use crate::figure::palette::Role;
 use crate::figure::scatter::{ScatterDot, ScatterPlot};
 use crate::figure::slices::{SlicePlot, SliceSpec};
-use crate::figure::subject::{Look, Source, Subject};
+use crate::figure::subject::Source;
 use crate::figure::table::Table;
 use std::ops::ControlFlow;
 
-/// A panel that is drawn.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Drawn {
-    pub drawing: Drawing,
-    pub table: Table,
-    /// Its axis of values, where others may have the same.
-    pub axis: Option<Axis>,
-}
-
-/// What a panel is drawn from.
-pub(super) struct Input<'a> {
-    /// Those of the panel, in its order; without names where the panel is not to name them.
-    pub subjects: &'a [Subject],
-    /// The same with their names.
-    pub named: &'a [Subject],
-    pub made: Option<&'a Made>,
-    /// Name of the measured material.
-    pub name: &'a str,
-    /// In points of the drawing.
-    pub size: [f32; 2],
-    /// Pixels per point of the drawing.
-    pub density: f32,
-    pub palette: &'a Palette,
-}
-
-pub(super) fn draw(view: &ViewSpec, input: &Input) -> Drawn {
+pub(super) fn draw(view: &ViewSpec, input: &PanelInput) -> PanelDrawing {
     match view {
         ViewSpec::Sphere(spec) => sphere(spec, input),
         ViewSpec::Lobes(spec) => lobes(spec, input),
@@ -57,37 +33,29 @@ pub(super) fn draw(view: &ViewSpec, input: &Input) -> Drawn {
     }
 }
 
-impl Input<'_> {
-    pub(super) fn source(&self, measured: bool) -> Option<&Source> {
-        let mut subjects = self.subjects.iter();
-        let found = subjects.find(|subject| (subject.look == Look::Measured) == measured)?;
-        Some(&found.source)
-    }
-}
-
-fn lobes(spec: &LobeSpec, input: &Input) -> Drawn {
+fn lobes(spec: &LobeSpec, input: &PanelInput) -> PanelDrawing {
     let spec = LobeSpec {
         still: true,
         ..spec.clone()
     };
     let plot = LobePlot::new(&spec, input.subjects, input.size);
-    Drawn {
+    PanelDrawing {
         table: Table::of_lobes(&plot, &spec, input.named),
         axis: Some(plot.frame.axis),
         drawing: plot.drawing,
     }
 }
 
-fn slices(spec: &SliceSpec, input: &Input) -> Drawn {
+fn slices(spec: &SliceSpec, input: &PanelInput) -> PanelDrawing {
     let plot = SlicePlot::new(spec, input.subjects, input.size);
-    Drawn {
+    PanelDrawing {
         table: Table::of_slices(&plot, spec, input.named),
         axis: Some(plot.frame.y),
         drawing: plot.drawing,
     }
 }
 
-fn image_slice(spec: &ImageSpec, input: &Input) -> Drawn {
+fn image_slice(spec: &ImageSpec, input: &PanelInput) -> PanelDrawing {
     let (measured, model) = (input.source(true), input.source(false));
     let field = spec.field(measured, model);
     let of_data = ImageSpec {
@@ -104,14 +72,14 @@ fn image_slice(spec: &ImageSpec, input: &Input) -> Drawn {
         ColorScale::Amount(axis) => Some(axis),
         _ => None,
     };
-    Drawn {
+    PanelDrawing {
         table: Table::of_image(spec, &field),
         axis,
         drawing: HeatMap::new(&heat, &field, input.size).drawing,
     }
 }
 
-fn albedo(spec: &AlbedoSpec, input: &Input) -> Drawn {
+fn albedo(spec: &AlbedoSpec, input: &PanelInput) -> PanelDrawing {
     let curves: Vec<_> = input
         .subjects
         .iter()
@@ -122,14 +90,14 @@ fn albedo(spec: &AlbedoSpec, input: &Input) -> Drawn {
         .map(|points| AlbedoCurve { points, old: false })
         .collect();
     let plot = AlbedoPlot::new(spec, input.subjects, &seen, input.size);
-    Drawn {
+    PanelDrawing {
         table: Table::of_albedos(spec.channel, input.named, &curves),
         axis: Some(plot.frame.y),
         drawing: plot.drawing,
     }
 }
 
-fn lobe3d(spec: &Lobe3dSpec, input: &Input) -> Drawn {
+fn lobe3d(spec: &Lobe3dSpec, input: &PanelInput) -> PanelDrawing {
     let shape = Shape {
         theta_i: spec.theta_i,
         scale: spec.scale,
@@ -149,21 +117,21 @@ fn lobe3d(spec: &Lobe3dSpec, input: &Input) -> Drawn {
     let mut drawing = Drawing::new(input.size);
     drawing.items.push(space);
     drawing.items.extend(overlay.drawing.items);
-    Drawn {
+    PanelDrawing {
         drawing,
-        ..Drawn::default()
+        ..PanelDrawing::default()
     }
 }
 
-fn error_map(spec: &ErrorMapSpec, input: &Input) -> Drawn {
-    let Some(Made::ErrorMap {
+fn error_map(spec: &ErrorMapSpec, input: &PanelInput) -> PanelDrawing {
+    let Some(FitOutput::ErrorMap {
         parts,
         columns,
         total,
         channels,
     }) = input.made
     else {
-        return Drawn::default();
+        return PanelDrawing::default();
     };
     let shown = ErrorSpec {
         plane: spec.plane,
@@ -179,16 +147,16 @@ fn error_map(spec: &ErrorMapSpec, input: &Input) -> Drawn {
         crate::figure::error_map::Plane::Directions => ["theta_i", "theta_o", "percent_of_e"],
         crate::figure::error_map::Plane::HalfDiff => ["theta_h", "theta_d", "percent_of_e"],
     };
-    Drawn {
+    PanelDrawing {
         table: Table::of_cells(names, &field),
         axis: None,
         drawing: HeatMap::new(&heat, &field, input.size).drawing,
     }
 }
 
-fn landscape(spec: &LandscapePanel, input: &Input) -> Drawn {
-    let Some(Made::Landscape { terrain, best }) = input.made else {
-        return Drawn::default();
+fn landscape(spec: &LandscapePanel, input: &PanelInput) -> PanelDrawing {
+    let Some(FitOutput::Landscape { terrain, best }) = input.made else {
+        return PanelDrawing::default();
     };
     let eta = match (spec.fresnel.as_str(), spec.eta) {
         ("none", _) => "no Fresnel".to_string(),
@@ -204,7 +172,7 @@ fn landscape(spec: &LandscapePanel, input: &Input) -> Drawn {
     };
     let field = terrain.field();
     let heat = shown.heat_spec(input.name, terrain);
-    Drawn {
+    PanelDrawing {
         table: Table::of_terrain(terrain),
         axis: None,
         drawing: HeatMap::new(&heat, &field, input.size).drawing,
@@ -212,7 +180,7 @@ fn landscape(spec: &LandscapePanel, input: &Input) -> Drawn {
 }
 
 /// The models by s and α of the combined model, in the colours of their series.
-fn scatter(input: &Input) -> Drawn {
+fn scatter(input: &PanelInput) -> PanelDrawing {
     let dots: Vec<ScatterDot> = input
         .subjects
         .iter()
@@ -230,7 +198,7 @@ fn scatter(input: &Input) -> Drawn {
             })
         })
         .collect();
-    Drawn {
+    PanelDrawing {
         table: Table::of_dots(&dots),
         axis: None,
         drawing: ScatterPlot::new(&dots, None, input.size).drawing,

@@ -7,7 +7,7 @@ use image::imageops::{FilterType, resize};
 
 /// How a drawing is put on a page.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Placing {
+pub(super) struct PagePlacement {
     /// Where its upper left corner comes to lie.
     pub at: Point,
     /// Lengths on the page per length in the drawing.
@@ -19,7 +19,7 @@ pub(super) struct Placing {
 }
 
 /// Adds the items of a drawing to a page.
-pub(super) fn place(page: &mut Drawing, drawing: Drawing, how: Placing) {
+pub(super) fn place(page: &mut Drawing, drawing: Drawing, how: PagePlacement) {
     let at = |[x, y]: Point| [how.at[0] + how.scale * x, how.at[1] + how.scale * y];
     let items = drawing.items.into_iter().map(|item| match item {
         Item::Line {

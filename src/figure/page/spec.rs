@@ -1,6 +1,6 @@
 //! What is on a page, as data: rows of panels, each a view of some subjects.
 
-use super::Style;
+use super::style::Style;
 use crate::figure::albedo::AlbedoSpec;
 use crate::figure::error_map::Plane;
 use crate::figure::heatmap::View;

@@ -1,7 +1,7 @@
 //! A sphere on paper: a picture, and words and a bar that say what it is.
 
-use super::panel::{Drawn, Input};
-use super::{PageSpec, SphereShow, SphereSpec, ViewSpec};
+use super::panel_io::{PanelDrawing, PanelInput};
+use super::spec::{PageSpec, SphereShow, SphereSpec, ViewSpec};
 use crate::figure::drawing::{Anchor, Drawing, Item, Label, Picture, font_size};
 use crate::figure::palette::Role;
 use crate::figure::sphere_image::{
@@ -15,7 +15,7 @@ use crate::geom::sphere_error::SphereError;
 /// Pixels on a side at most.
 const MOST: usize = 4096;
 
-pub(super) fn sphere(spec: &SphereSpec, input: &Input) -> Drawn {
+pub(super) fn sphere(spec: &SphereSpec, input: &PanelInput) -> PanelDrawing {
     let [width, height] = input.size;
     let font = font_size(input.size);
     let mut drawing = Drawing::new(input.size);
@@ -75,10 +75,10 @@ pub(super) fn sphere(spec: &SphereSpec, input: &Input) -> Drawn {
     drawn(drawing)
 }
 
-fn drawn(drawing: Drawing) -> Drawn {
-    Drawn {
+fn drawn(drawing: Drawing) -> PanelDrawing {
+    PanelDrawing {
         drawing,
-        ..Drawn::default()
+        ..PanelDrawing::default()
     }
 }
 
@@ -99,7 +99,7 @@ pub fn only_sphere(page: &PageSpec, subjects: &[Subject]) -> Option<(SphereSourc
     Some((source_of(spec, of)?, spec.view.clone()))
 }
 
-fn source(spec: &SphereSpec, input: &Input) -> Option<SphereSource> {
+fn source(spec: &SphereSpec, input: &PanelInput) -> Option<SphereSource> {
     source_of(spec, |measured| input.source(measured).cloned())
 }
 

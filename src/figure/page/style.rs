@@ -1,6 +1,7 @@
 //! How a figure looks on paper.
 
 use crate::figure::palette::{Palette, SERIES_COLORS};
+use crate::keys;
 use serde::{Deserialize, Serialize};
 
 /// How a figure looks on paper.
@@ -65,11 +66,7 @@ pub const SAME_AXES: [SameAxes; 3] = [SameAxes::Figure, SameAxes::Row, SameAxes:
 impl SameAxes {
     /// Name in files and on the command line.
     pub fn key(self) -> &'static str {
-        match self {
-            Self::Figure => "figure",
-            Self::Row => "row",
-            Self::Panel => "panel",
-        }
+        keys::key_at::<Self>(self as usize)
     }
 
     /// Name on screen.

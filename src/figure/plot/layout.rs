@@ -1,6 +1,6 @@
 //! How a plot divides its rectangle: title and legend above, numbers at the left and below, panels in what is left.
 
-use super::{Outline, Panel};
+use super::outline::{Outline, Panel};
 use crate::figure::drawing::{LINE_HEIGHT, Point, font_size};
 use crate::figure::legend::{SWATCH_EM, listed};
 use crate::figure::scale::{Steps, Ticks};

@@ -1,6 +1,6 @@
 //! A drawing in the making: lines with a pen, texts that keep out of each other's way.
 
-use super::Pen;
+use super::outline::Pen;
 use crate::figure::drawing::{Anchor, Drawing, Item, Label, Point};
 use crate::figure::palette::Role;
 use crate::figure::placing::Placing;

@@ -1,7 +1,7 @@
 use super::*;
 use crate::figure::drawing::Item;
-use crate::figure::scale::{RADIAL_SCALES, RadialScale};
-use crate::figure::subject::{Look, Source};
+use crate::figure::scale::{Axis, RADIAL_SCALES, RadialScale, Steps};
+use crate::figure::subject::{Look, Source, Subject};
 use std::sync::Arc;
 
 /// Sizes from the smallest tile to a whole screen.

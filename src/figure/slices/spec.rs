@@ -4,6 +4,7 @@ use crate::figure::mark::Mark;
 use crate::figure::scale::RadialScale;
 use crate::figure::subject::{Channel, Subject};
 use crate::geom::{HalfDiff, degrees};
+use crate::keys;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -29,12 +30,7 @@ pub const OVERS: [Over; 4] = [Over::ThetaO, Over::ThetaH, Over::ThetaD, Over::Ph
 impl Over {
     /// Name in files and on the command line.
     pub fn key(self) -> &'static str {
-        match self {
-            Self::ThetaO => "theta-o",
-            Self::ThetaH => "theta-h",
-            Self::ThetaD => "theta-d",
-            Self::PhiD => "phi-d",
-        }
+        keys::key_at::<Self>(self as usize)
     }
 
     /// The angle in plain letters.
@@ -59,7 +55,7 @@ impl Over {
 
     /// The one whose key this is.
     pub fn by_key(key: &str) -> Option<Self> {
-        OVERS.into_iter().find(|over| over.key() == key)
+        keys::by_key(key)
     }
 
     /// The ends of the angle in radians.
@@ -91,11 +87,7 @@ pub const RESIDUALS: [Residual; 3] = [Residual::None, Residual::Difference, Resi
 impl Residual {
     /// Name in files and on the command line.
     pub fn key(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::Difference => "difference",
-            Self::Ratio => "ratio",
-        }
+        keys::key_at::<Self>(self as usize)
     }
 
     /// Name on screen.
@@ -109,7 +101,7 @@ impl Residual {
 
     /// The one whose key this is.
     pub fn by_key(key: &str) -> Option<Self> {
-        RESIDUALS.into_iter().find(|residual| residual.key() == key)
+        keys::by_key(key)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Fits as CSV: a row per fit, empty where a parameter or an error does not exist.
 
-use super::FitRecord;
 use super::json::angle_key;
+use super::record::FitRecord;
 use crate::brdf::params;
 use crate::fit::outcome::ALBEDO_ANGLES;
 use crate::fit::{Partial, STAGES};

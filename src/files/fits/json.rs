@@ -1,6 +1,6 @@
 //! Fits as JSON: one line per fit, numbers as the shortest text that reads back as the same f64.
 
-use super::{Entry, FitRecord, SourceFile, StageRecord};
+use super::record::{Entry, FitRecord, SourceFile, StageRecord};
 use crate::brdf::{self, Brdf, ParamId, Params, params};
 use crate::fit::options::default_bounds;
 use crate::fit::outcome::ALBEDO_ANGLES;

@@ -1,6 +1,6 @@
 use super::*;
-use crate::brdf::{Fresnel, MODELS};
-use crate::fit::{Partial, STAGES};
+use crate::brdf::{Brdf, Fresnel, MODELS, Params};
+use crate::fit::{Ended, Errors, Options, Partial, STAGES, Weight};
 
 fn record(model: usize, fresnel: Fresnel) -> FitRecord {
     let brdf = Brdf {

@@ -1,4 +1,5 @@
 use super::*;
+use crate::brdf::{BLINN_PHONG, PHONG};
 use crate::fit::options::{NO_LIMIT, Weight};
 use crate::measured::{Grid, Table};
 
@@ -34,7 +35,7 @@ fn problem(brdf: &Brdf) -> Problem {
 }
 
 fn made(problem: &Problem, fresnel: Fresnel, eta: Eta) -> Landscape {
-    let go_on = &mut |_: Word| ControlFlow::Continue(());
+    let go_on = &mut |_: Update| ControlFlow::Continue(());
     landscape(problem, fresnel, eta, go_on).expect("not stopped")
 }
 
@@ -63,8 +64,8 @@ fn the_bottom_is_where_the_data_were_made() {
 #[test]
 fn the_edges_are_phong_and_blinn_phong() {
     let problem = problem(&truth());
-    let found = made(&problem, Fresnel::None, Eta::Solved);
-    for (model, alpha, ratio) in [(MODELS[0], 0.0, 1.0), (MODELS[1], 1.0, 4.0)] {
+    let found = made(&problem, Fresnel::None, Eta::Optimised);
+    for (model, alpha, ratio) in [(&PHONG, 0.0, 1.0), (&BLINN_PHONG, 1.0, 4.0)] {
         let mut others_differ = 0;
         for column in [12, 16, 20] {
             let s = found.s[column];
@@ -97,11 +98,11 @@ fn the_edges_are_phong_and_blinn_phong() {
 #[test]
 fn a_solved_eta_is_at_least_as_good_as_any_fixed_one() {
     let problem = problem(&truth());
-    let solved = made(&problem, Fresnel::Exact, Eta::Solved);
+    let solved = made(&problem, Fresnel::Exact, Eta::Optimised);
     // On the same sample.
     let survey = |eta| Survey {
-        sites: &problem.coarse,
-        space: Space::new(
+        cells: &problem.coarse,
+        space: SearchSpace::new(
             Variant::from(&truth()),
             &Options::default(),
             problem.units(),
@@ -130,11 +131,11 @@ fn it_comes_coarse_to_fine_and_stops_when_told() {
     let mut last = 0.0;
     let full = landscape(&problem, Fresnel::Exact, Eta::Fixed(1.6), &mut |word| {
         match word {
-            Word::Progress(share) => {
+            Update::Progress(share) => {
                 assert!(share >= last && share <= 1.0);
                 last = share;
             }
-            Word::Grid(grid) => grids.push(grid),
+            Update::Grid(grid) => grids.push(grid),
         }
         ControlFlow::Continue(())
     })

@@ -5,10 +5,8 @@ use crate::app::msg::Msg;
 use crate::app::msg::library::LibraryMsg;
 use crate::app::panels::library::files;
 use crate::app::state::State;
-use crate::app::state::library::Folder;
-use crate::app::state::library::Scan;
-use crate::app::state::library::listing::SORT_KEYS;
-use crate::app::state::library::listing::Sort;
+use crate::app::state::library::listing::{SORT_KEYS, Sort};
+use crate::app::state::library::{Folder, Scan};
 use crate::files::folder::shown_name;
 use egui::{Key, Modifiers};
 

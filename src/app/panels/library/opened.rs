@@ -5,8 +5,7 @@ use crate::app::msg::library::LibraryMsg;
 use crate::app::msg::session::SessionMsg;
 use crate::app::state::State;
 use crate::app::state::library::Target;
-use crate::app::state::material::Origin;
-use crate::app::state::material::Presence;
+use crate::app::state::material::{Origin, Presence};
 use crate::app::widgets::paint;
 use crate::measured::samples::SAMPLES;
 

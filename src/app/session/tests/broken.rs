@@ -1,14 +1,9 @@
 use crate::app::msg::Msg;
 use crate::app::msg::session::SessionMsg;
 use crate::app::reduce::apply;
-use crate::app::session::places::Found;
-use crate::app::session::places::find;
+use crate::app::session::places::{Found, find};
 use crate::app::session::read::read;
-use crate::app::session::tests::PATH;
-use crate::app::session::tests::found;
-use crate::app::session::tests::opened;
-use crate::app::session::tests::rich;
-use crate::app::session::tests::text;
+use crate::app::session::tests::{PATH, found, opened, rich, text};
 use crate::app::state::notice::Level;
 use crate::app::state::views::ViewId;
 use serde_json::{Value, json};

@@ -4,7 +4,7 @@ use crate::app::state::fitting::settings::Setup;
 use crate::brdf::Fresnel;
 use crate::files::SourceFile;
 use crate::files::fits::FitRecord;
-use crate::fit::{Ended, Outcome, Progress, StageReport, Variant, concerns};
+use crate::fit::{Ended, Outcome, Progress, StageReport, Variant, diagnostics};
 use crate::geom::degrees;
 use serde::{Deserialize, Serialize};
 
@@ -71,7 +71,7 @@ impl From<&FitRecord> for KeptFit {
                 evaluations: record.evaluations,
                 ended: record.ended,
                 albedo: record.albedo,
-                concerns: concerns::of(&record.brdf, &record.options, &record.albedo),
+                concerns: diagnostics::diagnose(&record.brdf, &record.options, &record.albedo),
             },
             setup: Setup {
                 weight: record.weight,

@@ -2,8 +2,7 @@
 
 use crate::app::state::fitting::settings::Setup;
 use crate::app::state::job::CancelFlag;
-use crate::app::state::material::MaterialId;
-use crate::app::state::material::Opened;
+use crate::app::state::material::{MaterialId, Opened};
 use crate::fit::{Progress, Stage, Variant};
 
 /// A fit under way: of one variant, or of several.

@@ -1,7 +1,6 @@
 //! A fit of a whole folder under way.
 
-use crate::app::state::job::CancelFlag;
-use crate::app::state::job::Hold;
+use crate::app::state::job::{CancelFlag, Hold};
 
 /// A fit of the folder that is under way. It ends with this.
 #[derive(Debug)]

@@ -1,9 +1,6 @@
 //! Which files of the folder are listed, and in which order.
 
-use crate::app::state::library::Examined;
-use crate::app::state::library::FolderFile;
-use crate::app::state::library::Kind;
-use crate::app::state::library::Library;
+use crate::app::state::library::{Examined, FolderFile, Kind, Library};
 use crate::brdf::ParamId;
 use std::cmp::Ordering;
 

@@ -2,10 +2,7 @@
 //!
 //! Measurements and models are apart: a slider changes the model in milliseconds, a table takes seconds.
 
-use crate::app::state::cache::Caches;
-use crate::app::state::cache::Query;
-use crate::app::state::cache::Update;
-use crate::app::state::cache::WhenNewer;
+use crate::app::state::cache::{Caches, Query, Update, WhenNewer};
 use crate::figure::albedo::{AlbedoCurve, AlbedoPoint, AlbedoSpec, angles, curve};
 use crate::figure::subject::{Source, Subject};
 use serde::{Deserialize, Serialize};

@@ -1,8 +1,6 @@
 //! What the error map is set to show, and the job behind it.
 
-use crate::app::state::cache::Query;
-use crate::app::state::cache::Update;
-use crate::app::state::cache::WhenNewer;
+use crate::app::state::cache::{Query, Update, WhenNewer};
 use crate::app::state::shared_table::SharedTable;
 use crate::brdf::Brdf;
 use crate::figure::error_map::Plane;

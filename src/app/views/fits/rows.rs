@@ -1,10 +1,8 @@
 //! The rows of the table: kept fits and the run under way, ordered.
 
 use crate::app::state::State;
-use crate::app::state::fitting::kept::KeptFit;
-use crate::app::state::fitting::kept::SortBy;
-use crate::app::state::fitting::run::Part;
-use crate::app::state::fitting::run::Run;
+use crate::app::state::fitting::kept::{KeptFit, SortBy};
+use crate::app::state::fitting::run::{Part, Run};
 use crate::brdf::Brdf;
 use crate::fit::Variant;
 

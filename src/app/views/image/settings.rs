@@ -1,7 +1,6 @@
 //! What the image slice is set to show.
 
-use crate::app::state::probe::Probe;
-use crate::app::state::probe::same;
+use crate::app::state::probe::{Probe, same};
 use crate::figure::Mark;
 use crate::figure::heatmap::View;
 use crate::figure::image_slice::{ImageSpec, Shown};

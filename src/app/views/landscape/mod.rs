@@ -2,21 +2,15 @@
 pub mod settings;
 
 use crate::app::msg::Msg;
-use crate::app::msg::cache::again;
-use crate::app::msg::cache::request;
-use crate::app::msg::cache::stop;
+use crate::app::msg::cache::{again, request, stop};
 use crate::app::panels::dialogs;
 use crate::app::state::State;
-use crate::app::views::landscape::settings::LandscapeQuery;
-use crate::app::views::landscape::settings::LandscapeView;
-use crate::app::views::landscape::settings::path;
-use crate::app::views::landscape::settings::place;
+use crate::app::views::landscape::settings::{LandscapeQuery, LandscapeView, path, place};
 use crate::app::widgets::formula::number;
-use crate::app::widgets::heat::OnScreen;
-use crate::app::widgets::heat::heat_ui;
+use crate::app::widgets::heat::{OnScreen, heat_ui};
 use crate::app::widgets::paint::plain;
 use crate::brdf::Fresnel;
-use crate::export::made::terrain;
+use crate::export::fit_output::terrain;
 use crate::figure::heatmap::View;
 use crate::figure::landscape::{LandscapeSpec, Terrain};
 use crate::fit::landscape::{Eta, Landscape};
@@ -128,7 +122,7 @@ fn eta_words(query: &LandscapeQuery) -> String {
     match (query.fresnel, query.eta) {
         (Fresnel::None, _) => "no Fresnel".to_string(),
         (_, Eta::Fixed(eta)) => format!("η = {} fixed", number(eta)),
-        (_, Eta::Solved) => "η solved".to_string(),
+        (_, Eta::Optimised) => "η solved".to_string(),
     }
 }
 

@@ -1,13 +1,11 @@
 //! What the error landscape is set to show, and the job behind it.
 
 use crate::app::state::State;
-use crate::app::state::cache::Query;
-use crate::app::state::cache::Update;
-use crate::app::state::cache::WhenNewer;
+use crate::app::state::cache::{Query, Update, WhenNewer};
 use crate::app::state::shared_table::SharedTable;
 use crate::brdf::{Brdf, Fresnel};
 use crate::figure::heatmap::View;
-use crate::fit::landscape::{Eta, Landscape, Word};
+use crate::fit::landscape::{Eta, Landscape};
 use crate::fit::{Problem, ProblemError, Progress, Weight, landscape};
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
@@ -47,7 +45,7 @@ impl LandscapeQuery {
         let eta = match brdf.fresnel {
             // It does not matter, and must not make a difference.
             Fresnel::None => Eta::Fixed(1.0),
-            _ if state.scene.landscape.solve_eta => Eta::Solved,
+            _ if state.scene.landscape.solve_eta => Eta::Optimised,
             _ => Eta::Fixed(brdf.params.eta),
         };
         Some(Self {
@@ -75,8 +73,8 @@ impl Query for LandscapeQuery {
         };
         let mut say = |word| {
             report(match word {
-                Word::Progress(share) => Update::Progress(share),
-                Word::Grid(grid) => Update::Partial(Ok(grid)),
+                landscape::Update::Progress(share) => Update::Progress(share),
+                landscape::Update::Grid(grid) => Update::Partial(Ok(grid)),
             })
         };
         landscape::landscape(&problem, self.fresnel, self.eta, &mut say).map(Ok)

@@ -4,16 +4,12 @@ pub mod settings;
 
 use crate::app::command::Command;
 use crate::app::msg::Msg;
-use crate::app::state::Scene;
-use crate::app::state::State;
 use crate::app::state::probe::Probe;
 use crate::app::state::subjects::Subjects;
+use crate::app::state::{Scene, State};
 use crate::app::views::lobes::settings::LobeTile;
-use crate::app::widgets::controls;
 use crate::app::widgets::legend::legend_ui;
-use crate::app::widgets::paint;
-use crate::app::widgets::probe;
-use crate::app::widgets::zoom;
+use crate::app::widgets::{controls, paint, probe, zoom};
 use crate::figure::Point;
 use crate::figure::lobes::{LobePlot, LobeSpec};
 use crate::figure::palette::Palette;

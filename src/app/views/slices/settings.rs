@@ -1,7 +1,6 @@
 //! What the slices are set to show, and where the probe is in them.
 
-use crate::app::state::probe::Probe;
-use crate::app::state::probe::same;
+use crate::app::state::probe::{Probe, same};
 use crate::figure::Mark;
 use crate::figure::slices::{Over, SliceSpec};
 use crate::geom::HalfDiff;

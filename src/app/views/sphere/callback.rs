@@ -1,13 +1,9 @@
 //! The sphere pass inside egui's picture: a paint callback, and what it keeps on the GPU between frames.
 
 use crate::app::state::State;
-use crate::app::state::material::Material;
-use crate::app::state::material::MaterialId;
-use crate::app::state::material::Opened;
-use crate::app::state::material::Presence;
-use crate::app::views::sphere::OnScreen;
-use crate::app::views::sphere::error;
+use crate::app::state::material::{Material, MaterialId, Opened, Presence};
 use crate::app::views::sphere::sight::Sight;
+use crate::app::views::sphere::{OnScreen, error};
 use crate::geom::sphere_error::SphereError;
 use crate::gpu::sphere_pass::{SpherePass, SphereSlot, SphereUniform};
 use crate::gpu::table_texture::TableTexture;

@@ -1,7 +1,6 @@
 //! The colours of the difference sphere and the bar that says what they mean.
 
-use crate::app::views::sphere::OnScreen;
-use crate::app::views::sphere::word;
+use crate::app::views::sphere::{OnScreen, word};
 use crate::figure::sphere_image::{error_colors, error_names, error_ticks, error_unit};
 use crate::geom::sphere_error::SphereError;
 use crate::gpu::sphere_pass::COLORS;

@@ -8,15 +8,11 @@ use crate::app::command::Command;
 use crate::app::msg::Msg;
 use crate::app::panels::dialogs;
 use crate::app::state::State;
-use crate::app::state::probe::Probe;
-use crate::app::state::probe::same;
+use crate::app::state::probe::{Probe, same};
 use crate::app::views::sphere::callback::Half;
-use crate::app::views::sphere::settings::SHOWS;
-use crate::app::views::sphere::settings::Show;
-use crate::app::views::sphere::settings::SphereTile;
+use crate::app::views::sphere::settings::{SHOWS, Show, SphereTile};
 use crate::app::views::sphere::sight::Sight;
-use crate::app::widgets::probe;
-use crate::app::widgets::zoom;
+use crate::app::widgets::{probe, zoom};
 use crate::geom::HalfDiff;
 use crate::geom::sphere::{
     LIGHT_PRESETS, highlight_of, light_for_highlight_at, local_directions, point_of,

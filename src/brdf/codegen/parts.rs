@@ -1,0 +1,143 @@
+//! The parts that the texts are put together from: head, numbers, functions.
+
+use crate::brdf::{Brdf, Fresnel, Param};
+use std::fmt::Write as _;
+
+/// How to call the function, as comments.
+pub(super) const USE: &str = "//
+// brdf(wi, wo) is f_r in 1/sr for linear R, G, B: without the cosine, and 0 below the horizon. wi to the light and wo to
+// the viewer are unit vectors in the local frame, z = n. Dot products are clamped at 0.
+
+";
+
+/// What the text is, as comments: model, formula, sources, numbers, version.
+pub(super) fn head(brdf: &Brdf, material: Option<&str>, comment: &str) -> String {
+    let of = material.map_or(String::new(), |name| format!(" of {}", one_line(name)));
+    let name = brdf.model.name;
+    let version = env!("CARGO_PKG_VERSION");
+    let formula = brdf
+        .model
+        .formula
+        .replace("_{", "")
+        .replace("^{", "^")
+        .replace('}', "");
+    let (factor, reflectance) = match brdf.fresnel {
+        Fresnel::None => ("", String::new()),
+        fresnel => (" R_F(ωi·ωh, eta)", format!("; R_F is {}", fresnel.source())),
+    };
+    let source = brdf.model.source;
+    let mut numbers = Vec::new();
+    for row in used(brdf) {
+        let unit = if row.unit.is_empty() { "" } else { " " };
+        let value = literal_list(brdf, row);
+        numbers.push(format!("{} = {value}{unit}{}", row.key, row.unit));
+    }
+    let numbers = numbers.join(", ");
+    format!(
+        "{comment} {name} BRDF{of}, by Grazing {version}
+{comment}
+{comment} f_r = rho_d/π + k_s{factor} {formula}
+{comment} Source: {source}{reflectance}
+{comment} {numbers}
+"
+    )
+}
+
+/// The parameters that count, in the order of the rows.
+pub(super) fn used(brdf: &Brdf) -> impl Iterator<Item = &'static Param> {
+    let rows = brdf.model.params.iter();
+    rows.filter(|row| brdf.uses(row.id))
+}
+
+/// A parameter's numbers, brought into its domain, on which the functions make no inf or NaN.
+pub(super) fn values(brdf: &Brdf, row: &Param) -> Vec<f64> {
+    let values = brdf.params.get(row.id).iter();
+    values.map(|value| row.clamp(*value)).collect()
+}
+
+fn literal_list(brdf: &Brdf, row: &Param) -> String {
+    let list: Vec<String> = values(brdf, row).into_iter().map(literal).collect();
+    match &list[..] {
+        [one] => one.clone(),
+        many => format!("({})", many.join(", ")),
+    }
+}
+
+/// The shortest text that reads back as the same f64, as a literal of either language.
+pub(super) fn literal(value: f64) -> String {
+    format!("{value:?}")
+}
+
+/// The twins that the model may need, and `with_params`, the BRDF for any numbers.
+pub(super) fn library(brdf: &Brdf) -> String {
+    let mut text = String::from("struct Params {\n");
+    for row in used(brdf) {
+        let ty = if row.id.is_color() { "vec3f" } else { "f32" };
+        let _ = writeln!(text, "    {}: {ty},", row.key);
+    }
+    text.push_str("}\n\n");
+    text.push_str(include_str!("../../geom/cosines.wgsl"));
+    text.push_str(include_str!("../fresnel.wgsl"));
+    text.push_str(brdf.model.wgsl);
+    let factor = match brdf.fresnel {
+        Fresnel::None => String::new(),
+        fresnel => format!("fresnel_{}(c.wi_dot_wh, p.eta) * ", fresnel.key()),
+    };
+    let lobe = brdf.model.key.replace('-', "_");
+    let _ = write!(
+        text,
+        "
+fn with_params(p: Params, wi: vec3f, wo: vec3f) -> vec3f {{
+    if min(wi.z, wo.z) < 0.0 {{
+        return vec3f(0.0);
+    }}
+    let c: Cosines = cosines_from_directions(wi, wo);
+    let shape: f32 = {factor}lobe_{lobe}(p, c);
+    return p.rho_d * 0.3183098861837907 + p.k_s * shape;
+}}
+"
+    );
+    text
+}
+
+/// The text of `fn brdf(wi, wo)` with the numbers of the model.
+pub(super) fn entry(brdf: &Brdf) -> String {
+    let mut text =
+        String::from("fn brdf(wi: vec3f, wo: vec3f) -> vec3f {\n    let p: Params = Params(\n");
+    for row in used(brdf) {
+        let list = literal_list(brdf, row);
+        let ty = if row.id.is_color() { "vec3f" } else { "" };
+        let _ = writeln!(text, "        {ty}{list},");
+    }
+    text.push_str("    );\n    return with_params(p, wi, wo);\n}\n");
+    text
+}
+
+/// A name that is nothing but text in a comment: a backslash at the end would go on in the next line.
+fn one_line(name: &str) -> String {
+    let plain = |c: char| match c {
+        '\\' => '/',
+        c if c.is_ascii() && !c.is_ascii_control() => c,
+        _ => '?',
+    };
+    name.chars().map(plain).collect()
+}
+
+/// Shader compilers need not know more than ASCII, not even in comments.
+pub(super) fn ascii(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            'α' => out.push_str("alpha"),
+            'η' => out.push_str("eta"),
+            'π' => out.push_str("pi"),
+            'ω' => out.push('w'),
+            '²' => out.push_str("^2"),
+            '−' => out.push('-'),
+            '·' => out.push('.'),
+            '→' => out.push_str("->"),
+            c => out.push(c),
+        }
+    }
+    out
+}

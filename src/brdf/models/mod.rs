@@ -1,0 +1,26 @@
+//! The models: a file with the lobe and its row for each, beside its WGSL twin.
+
+mod blinn_phong;
+mod combined;
+mod phong;
+
+use super::model::Model;
+
+pub use blinn_phong::MODEL as BLINN_PHONG;
+pub use combined::MODEL as COMBINED;
+pub use phong::MODEL as PHONG;
+
+/// All models, in the order in which they are offered.
+pub static MODELS: [&Model; 3] = [&PHONG, &BLINN_PHONG, &COMBINED];
+
+impl Model {
+    /// The model whose `key` this is.
+    pub fn by_key(key: &str) -> Option<&'static Self> {
+        MODELS.into_iter().find(|model| model.key == key)
+    }
+
+    /// Position in [`MODELS`], which is the model's number on the GPU.
+    pub fn index(&self) -> usize {
+        MODELS.iter().position(|model| *model == self).unwrap_or(0)
+    }
+}

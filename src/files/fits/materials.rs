@@ -1,0 +1,118 @@
+//! The entries of a fit file by material.
+
+use super::record::{Entry, FitRecord, SourceFile};
+use crate::brdf::Brdf;
+use crate::files::paths::{absolute, material_name};
+use std::path::{Path, PathBuf};
+
+/// The models that a file has for one material.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MaterialFits {
+    /// Name of the material.
+    pub name: String,
+    /// The measured file as the fit file names it.
+    pub source: Option<SourceFile>,
+    /// Where the measured file may be, see [`SourceFile::places`]; from the root on.
+    pub places: Vec<PathBuf>,
+    /// The measured file that is there.
+    pub found: Option<PathBuf>,
+    /// The model with the smallest E; the first where no E is given.
+    pub best: Brdf,
+    /// All models by ascending E, those without E last.
+    pub entries: Vec<Entry>,
+}
+
+impl MaterialFits {
+    /// Fits of a measured file that is there, as a fit file would bring them; `None` without any.
+    pub fn of_records(
+        name: String,
+        source: Option<SourceFile>,
+        found: &Path,
+        records: &[FitRecord],
+    ) -> Option<Self> {
+        let mut entries: Vec<Entry> = records
+            .iter()
+            .map(|record| Entry {
+                brdf: record.brdf,
+                material: Some(record.material.clone()),
+                source: record.source.clone(),
+                error: Some(record.errors.total),
+                fit: Some(record.clone()),
+            })
+            .collect();
+        sort(&mut entries);
+        Some(Self {
+            name,
+            source,
+            places: vec![found.to_owned()],
+            found: Some(found.to_owned()),
+            best: entries.first()?.brdf,
+            entries,
+        })
+    }
+}
+
+/// By ascending E, those without E last.
+fn sort(entries: &mut [Entry]) {
+    let error = |entry: &Entry| entry.error.unwrap_or(f64::INFINITY);
+    entries.sort_by(|a, b| error(a).total_cmp(&error(b)));
+}
+
+/// Sorts the entries of the file `path` by material and looks which measured files are there.
+///
+/// Entries belong together if they were fitted to the same path or to the same bytes, or if none of them names a
+/// source and they have the same material. Nameless ones are each on their own, named after the file.
+pub fn by_material(path: &Path, entries: Vec<Entry>) -> Vec<MaterialFits> {
+    let path = absolute(path);
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let single = entries.len() == 1;
+    let mut all: Vec<MaterialFits> = Vec::new();
+    for (index, entry) in entries.into_iter().enumerate() {
+        if let Some(fits) = all.iter_mut().find(|fits| belongs(&entry, fits)) {
+            fits.entries.push(entry);
+            continue;
+        }
+        let places: Vec<PathBuf> = entry
+            .source
+            .iter()
+            .flat_map(|source| source.places(folder))
+            .collect();
+        let name = match &entry.material {
+            Some(name) => name.clone(),
+            None if single => material_name(&path),
+            None => format!("{} {index}", material_name(&path)),
+        };
+        all.push(MaterialFits {
+            name,
+            source: entry.source.clone(),
+            found: places.iter().find(|place| place.is_file()).cloned(),
+            places,
+            best: entry.brdf,
+            entries: vec![entry],
+        });
+    }
+    for fits in &mut all {
+        sort(&mut fits.entries);
+        fits.best = fits.entries[0].brdf;
+    }
+    all
+}
+
+/// The model with the smallest E among the fits of a measured file: those made from the same path or the same bytes.
+pub fn best_of<'a>(entries: &'a [Entry], source: &SourceFile) -> Option<&'a Entry> {
+    let of_it = entries.iter().filter(|entry| {
+        let same =
+            |other: &SourceFile| other.path == source.path || other.same_data(source) == Some(true);
+        entry.source.as_ref().is_some_and(same)
+    });
+    let error = |entry: &Entry| entry.error.unwrap_or(f64::INFINITY);
+    of_it.min_by(|a, b| error(a).total_cmp(&error(b)))
+}
+
+fn belongs(entry: &Entry, fits: &MaterialFits) -> bool {
+    match (&entry.source, &fits.source) {
+        (Some(a), Some(b)) => a.path == b.path || a.same_data(b) == Some(true),
+        (None, None) => entry.material.as_ref() == Some(&fits.name),
+        _ => false,
+    }
+}

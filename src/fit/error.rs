@@ -1,0 +1,12 @@
+//! Why a table cannot be fitted.
+
+/// Why there is nothing to fit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ProblemError {
+    /// No cell counts.
+    #[error("no cell is measured within the grazing limit; raise the limit")]
+    NoCells,
+    /// Σ w f is 0.
+    #[error("every measured value within the grazing limit is 0; there is nothing to fit")]
+    Black,
+}

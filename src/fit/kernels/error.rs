@@ -1,0 +1,148 @@
+//! E of a model and its slopes in the variables of the search.
+
+use super::super::amplitudes::Amplitudes;
+use super::super::lobe_kernel::LobeKernel;
+use super::super::simd::{self, Kernel, Lanes, vectors};
+use super::super::symmetric_cells::{CellRow, SymmetricCells};
+use super::super::threads::Threads;
+use super::rows::{ROWS_PER_SUM, RowLanes, block_of, over_slabs, per_block};
+use pulp::Simd;
+use std::ops::Range;
+
+/// E and its slopes in (ln s, α, ln(η − 1)) with the amplitudes held.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Slopes {
+    /// Σ w |f̂ − f| / Σ w f, all channels over all channels.
+    pub error: f64,
+    /// Its gradient; 0 unless asked for.
+    pub gradient: [f64; 3],
+}
+
+struct ErrorPass<'a, const GRADIENT: bool> {
+    lobe: &'a LobeKernel,
+    cells: &'a SymmetricCells,
+    rows: &'a [CellRow],
+    amplitudes: &'a Amplitudes,
+    band: f32,
+}
+
+impl<const GRADIENT: bool> Kernel for ErrorPass<'_, GRADIENT> {
+    type Output = Slopes;
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> Slopes {
+        match self.cells.mirror_count {
+            2 => self.sum::<S, 2>(simd),
+            _ => self.sum::<S, 4>(simd),
+        }
+    }
+}
+
+impl<const GRADIENT: bool> ErrorPass<'_, GRADIENT> {
+    #[inline(always)]
+    fn sum<S: Simd, const MIRRORS: usize>(self, simd: S) -> Slopes {
+        let splat = |x: f32| Lanes::splat(simd, x);
+        let zero = splat(0.0);
+        let diffuse = self.amplitudes.diffuse.map(|a| splat(a as f32));
+        let specular = self.amplitudes.specular.map(|b| splat(b as f32));
+        let band = splat(self.band);
+        let smallest = splat(f32::MIN_POSITIVE);
+        let mut slopes = Slopes::default();
+        for rows in self.rows.chunks(ROWS_PER_SUM) {
+            let [mut error, mut by_s, mut by_alpha] = [zero; 3];
+            for row in rows {
+                let lobe = self.lobe.row(row);
+                let lanes = RowLanes::new(simd, row, &lobe);
+                let versine4 = splat(lobe.versine4);
+                let mut by_eta = zero;
+                let values = vectors::<S>(self.cells.values_of(row));
+                for (vector, cos2) in vectors::<S>(self.cells.cos2_of(row)).iter().enumerate() {
+                    let cos2 = Lanes::new(simd, *cos2);
+                    let point = lanes.point(simd, cos2);
+                    let weight = lanes.weight(cos2);
+                    let mut push = zero;
+                    let values = block_of::<S, MIRRORS>(values, vector);
+                    for mirror in 0..MIRRORS {
+                        let measured: [_; 3] = std::array::from_fn(|channel| {
+                            Lanes::new(simd, values[(3 * mirror + channel) * per_block::<S>()])
+                        });
+                        let weight = weight.where_le(zero, measured[0]);
+                        for channel in 0..3 {
+                            let model = specular[channel].mul_add(point.shape, diffuse[channel]);
+                            let size = (model - measured[channel]).abs();
+                            error = weight.mul_add(size, error);
+                            if GRADIENT {
+                                // The sign of the residual, softened over a narrow band around 0.
+                                let width = band.mul_add(model, smallest);
+                                let sign = (model - measured[channel]) / size.max(width);
+                                push = (weight * specular[channel]).mul_add(sign, push);
+                            }
+                        }
+                    }
+                    if GRADIENT {
+                        let pull = push * point.shape;
+                        by_eta = by_eta + pull;
+                        let pull = pull * lanes.s;
+                        by_s = pull.mul_add(point.ln, by_s);
+                        // d ln(1 − v)/dα with v the versine of the base; at a base of 0 the slope has no bound.
+                        let base = (splat(1.0) - point.versine).max(splat(1e-3));
+                        by_alpha = pull.mul_add((point.phong - versine4) / base, by_alpha);
+                    }
+                }
+                if GRADIENT {
+                    slopes.gradient[2] += by_eta.total() * lobe.fresnel_slope;
+                }
+            }
+            slopes.error += error.total();
+            if GRADIENT {
+                slopes.gradient[0] += by_s.total();
+                slopes.gradient[1] += by_alpha.total();
+            }
+        }
+        slopes
+    }
+}
+
+/// E of a model: one pass over everything. This is what the benchmarks call an objective pass.
+pub fn error(
+    lobe: &LobeKernel,
+    cells: &SymmetricCells,
+    amplitudes: &Amplitudes,
+    threads: Threads,
+) -> f64 {
+    pass::<false>(lobe, cells, amplitudes, 0.0, threads).error
+}
+
+/// E with its slopes. `band` is the relative half width of residuals that count as nearly 0.
+pub fn slopes(
+    lobe: &LobeKernel,
+    cells: &SymmetricCells,
+    amplitudes: &Amplitudes,
+    band: f64,
+    threads: Threads,
+) -> Slopes {
+    pass::<true>(lobe, cells, amplitudes, band as f32, threads)
+}
+
+fn pass<const GRADIENT: bool>(
+    lobe: &LobeKernel,
+    cells: &SymmetricCells,
+    amplitudes: &Amplitudes,
+    band: f32,
+    threads: Threads,
+) -> Slopes {
+    let work = |slab: Range<usize>| {
+        simd::dispatch(ErrorPass::<GRADIENT> {
+            lobe,
+            cells,
+            rows: &cells.rows[slab],
+            amplitudes,
+            band,
+        })
+    };
+    let mut sum = Slopes::default();
+    over_slabs(cells, threads, work, |part| {
+        sum.error += part.error;
+        (0..3).for_each(|k| sum.gradient[k] += part.gradient[k]);
+    });
+    sum
+}

@@ -1,0 +1,105 @@
+//! The error in parts: per channel, and of the grazing cells.
+
+use super::super::amplitudes::Amplitudes;
+use super::super::lobe_kernel::LobeKernel;
+use super::super::simd::{self, Kernel, LANES, Lanes, vectors};
+use super::super::symmetric_cells::{CellRow, SymmetricCells};
+use super::super::threads::Threads;
+use super::rows::{ROWS_PER_SUM, RowLanes, block_of, over_slabs, per_block};
+use pulp::Simd;
+use std::ops::Range;
+
+/// Σ w |f̂ − f|, where Σ w f over all cells and channels is 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Parts {
+    /// Per channel.
+    pub channels: [f64; 3],
+    /// Of the grazing cells, all channels.
+    pub grazing: f64,
+}
+
+struct PartsPass<'a> {
+    lobe: &'a LobeKernel,
+    cells: &'a SymmetricCells,
+    rows: &'a [CellRow],
+    amplitudes: &'a Amplitudes,
+}
+
+impl Kernel for PartsPass<'_> {
+    type Output = Parts;
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> Parts {
+        match self.cells.mirror_count {
+            2 => self.sum::<S, 2>(simd),
+            _ => self.sum::<S, 4>(simd),
+        }
+    }
+}
+
+impl PartsPass<'_> {
+    #[inline(always)]
+    fn sum<S: Simd, const MIRRORS: usize>(self, simd: S) -> Parts {
+        let splat = |x: f32| Lanes::splat(simd, x);
+        let zero = splat(0.0);
+        let diffuse = self.amplitudes.diffuse.map(|a| splat(a as f32));
+        let specular = self.amplitudes.specular.map(|b| splat(b as f32));
+        let places: [f32; LANES] = std::array::from_fn(|lane| lane as f32);
+        let places = Lanes::new(simd, vectors::<S>(&places)[0]);
+        let mut parts = Parts::default();
+        for rows in self.rows.chunks(ROWS_PER_SUM) {
+            let mut channels = [zero; 3];
+            let mut grazing = zero;
+            for row in rows {
+                let lanes = RowLanes::new(simd, row, &self.lobe.row(row));
+                let values = vectors::<S>(self.cells.values_of(row));
+                for (vector, cos2) in vectors::<S>(self.cells.cos2_of(row)).iter().enumerate() {
+                    let cos2 = Lanes::new(simd, *cos2);
+                    let shape = lanes.point(simd, cos2).shape;
+                    let weight = lanes.weight(cos2);
+                    let values = block_of::<S, MIRRORS>(values, vector);
+                    let mut here = [zero; 3];
+                    for mirror in 0..MIRRORS {
+                        for channel in 0..3 {
+                            let plane = (3 * mirror + channel) * per_block::<S>();
+                            let measured = Lanes::new(simd, values[plane]);
+                            let weight = weight.where_le(zero, measured);
+                            let model = specular[channel].mul_add(shape, diffuse[channel]);
+                            here[channel] = weight.mul_add((model - measured).abs(), here[channel]);
+                        }
+                    }
+                    (0..3).for_each(|k| channels[k] = channels[k] + here[k]);
+                    let first = (vector * S::F32_LANES) as f32;
+                    let last = splat(row.grazing_end as f32 - 1.0 - first);
+                    let all = here[0] + here[1] + here[2];
+                    grazing = grazing + all.where_le(places, last);
+                }
+            }
+            (0..3).for_each(|k| parts.channels[k] += channels[k].total());
+            parts.grazing += grazing.total();
+        }
+        parts
+    }
+}
+
+/// The parts of E of a model.
+pub fn parts(
+    lobe: &LobeKernel,
+    cells: &SymmetricCells,
+    amplitudes: &Amplitudes,
+    threads: Threads,
+) -> Parts {
+    let work = |slab: Range<usize>| {
+        simd::dispatch(PartsPass {
+            lobe,
+            cells,
+            rows: &cells.rows[slab],
+            amplitudes,
+        })
+    };
+    let mut sum = Parts::default();
+    over_slabs(cells, threads, work, |part| {
+        (0..3).for_each(|k| sum.channels[k] += part.channels[k]);
+        sum.grazing += part.grazing;
+    });
+    sum
+}

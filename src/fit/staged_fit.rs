@@ -1,0 +1,366 @@
+//! The stages, one after the other.
+
+mod descents;
+
+use super::amplitudes::AmplitudeBounds;
+use super::diagnostics;
+use super::exact_l1;
+use super::kernels;
+use super::lobe_kernel::{LobeKernel, LobeShape, SearchPoint};
+use super::multistart::{self, StartGrid};
+use super::objective::{AmplitudeRule, Candidate, SearchSpace};
+use super::options::{Options, STAGES, Stage, Variant};
+use super::outcome::{ALBEDO_ANGLES, Ended, Errors, Outcome, Progress, StageReport, Watch};
+use super::problem::Problem;
+use super::regression::{self, Effort};
+use super::threads::Threads;
+use crate::brdf::{Brdf, Params, albedo};
+use descents::Refinement;
+use std::ops::ControlFlow;
+
+/// A candidate as it is given out, with its E over all cells.
+#[derive(Clone, Copy, Debug)]
+struct Best {
+    candidate: Candidate,
+    /// Its parameters; the search's own differ from them by a rounding.
+    brdf: Brdf,
+    /// Of these.
+    errors: Errors,
+}
+
+/// A fit under way.
+pub(super) struct StagedFit<'a, 'w> {
+    problem: &'a Problem,
+    options: &'a Options,
+    space: SearchSpace,
+    watch: Watch<'w>,
+    /// What the watcher was last told.
+    shown: Option<Progress>,
+    cancelled: bool,
+    exhausted: bool,
+    /// The starts that the data suggest, once they are asked for.
+    starts: Option<Vec<Candidate>>,
+    /// What they are chosen from, and other fits too.
+    grid: &'w mut StartGrid,
+    /// Contained fits, with the numbers that they were given out with.
+    known: Vec<(Candidate, Params)>,
+    stages: Vec<StageReport>,
+    stage: Stage,
+    evaluations: usize,
+}
+
+/// Fits what the variant contains, asking every now and then whether to go on; with the errors of each.
+type Contained<'c> = &'c mut dyn FnMut(
+    &mut StartGrid,
+    &mut (dyn FnMut() -> ControlFlow<()> + Send),
+) -> Vec<(Brdf, Errors)>;
+
+impl<'a, 'w> StagedFit<'a, 'w> {
+    pub fn new(
+        problem: &'a Problem,
+        variant: Variant,
+        options: &'a Options,
+        grid: &'w mut StartGrid,
+        watch: Watch<'w>,
+    ) -> Self {
+        Self {
+            problem,
+            options,
+            space: SearchSpace::new(variant, options, problem.units()),
+            watch,
+            shown: None,
+            cancelled: false,
+            exhausted: false,
+            starts: None,
+            grid,
+            known: Vec::new(),
+            stages: Vec::new(),
+            stage: Stage::Amplitudes,
+            evaluations: 0,
+        }
+    }
+
+    /// Runs the stages. `contained` are fits of variants that this one contains, as points of its own space.
+    pub fn run(mut self, contained: Contained) -> Outcome {
+        let start = self.start();
+        let mut best = self.measure(start);
+        for stage in STAGES.into_iter().filter(|stage| self.options.runs(*stage)) {
+            if self.cancelled {
+                break;
+            }
+            self.stage = stage;
+            self.evaluations = 0;
+            let before = best;
+            let _ = self.report_progress(&before.candidate, before.errors.total, true);
+            let found = match stage {
+                Stage::Amplitudes => self.amplitudes(&before),
+                Stage::Shape => self.shape(&before),
+                Stage::ShapeAndSpecular => self.shape_and_specular(&before),
+                Stage::Joint => self.joint(&before, contained),
+            };
+            for found in found {
+                if found.errors.total < best.errors.total {
+                    best = found;
+                }
+            }
+            self.stages.push(StageReport {
+                stage,
+                start: before.brdf,
+                start_error: before.errors.total,
+                end: best.brdf,
+                error: best.errors.total,
+                evaluations: self.evaluations,
+            });
+            let _ = self.report_progress(&best.candidate, best.errors.total, true);
+        }
+        self.outcome(best)
+    }
+
+    fn outcome(self, best: Best) -> Outcome {
+        let brdf = best.brdf;
+        let albedo = ALBEDO_ANGLES.map(|degrees| albedo::albedo(&brdf, degrees.to_radians()));
+        Outcome {
+            brdf,
+            errors: best.errors,
+            evaluations: self.stages.iter().map(|stage| stage.evaluations).sum(),
+            stages: self.stages,
+            ended: match (self.cancelled, self.exhausted) {
+                (true, _) => Ended::Cancelled,
+                (_, true) => Ended::Limit,
+                _ => Ended::Converged,
+            },
+            concerns: diagnostics::diagnose(&brdf, self.options, &albedo),
+            albedo,
+        }
+    }
+
+    /// Where stage 1 begins: at the user's start where there is one, at the data's best start otherwise.
+    fn start(&mut self) -> Candidate {
+        let given = self.options.start;
+        let variant = self.space.variant;
+        let complete = variant.model.params.iter().all(|row| {
+            let brdf = variant.with(Params::default());
+            row.id.is_color()
+                || !brdf.uses(row.id)
+                || given.has(row.id)
+                || self.options.held.has(row.id)
+        });
+        let from_data = if complete {
+            None
+        } else {
+            self.starts().first().copied()
+        };
+        let mut params = match from_data {
+            Some(start) => self.space.params(&start, self.options),
+            None => Params::default(),
+        };
+        params = self.options.held.over(given.over(params));
+        let point = self.space.clamp(LobeShape::of(variant, &params).point());
+        let mut objective = self.objective(
+            &self.problem.coarse,
+            AmplitudeRule::Optimised(self.space.limits),
+            None,
+        );
+        let mut start = objective.error(point);
+        // Amplitudes that are given are where the stages begin, unless the first of them solves for its own.
+        let amplitudes = self.space.units.amplitudes(&params);
+        if given.rho_d.is_some() {
+            start.amplitudes.diffuse = amplitudes.diffuse;
+        }
+        if given.k_s.is_some() {
+            start.amplitudes.specular = amplitudes.specular;
+        }
+        start.amplitudes = self.space.limits.clamp(start.amplitudes);
+        start
+    }
+
+    fn starts(&mut self) -> &[Candidate] {
+        let (coarse, space) = (&self.problem.coarse, &self.space);
+        self.starts
+            .get_or_insert_with(|| multistart::best_starts(coarse, space, self.grid))
+    }
+
+    /// Stage 1.
+    fn amplitudes(&mut self, before: &Best) -> Vec<Best> {
+        self.evaluations += 1;
+        vec![self.solve(&before.candidate, &self.space.limits, true)]
+    }
+
+    /// Stage 2.
+    fn shape(&mut self, before: &Best) -> Vec<Best> {
+        let follow = AmplitudeRule::Fixed(before.candidate.amplitudes);
+        let found = self.descend_levels(&before.candidate, follow);
+        vec![self.measure(found)]
+    }
+
+    /// Stage 3.
+    fn shape_and_specular(&mut self, before: &Best) -> Vec<Best> {
+        let mut limits = self.space.limits;
+        limits.diffuse = before.candidate.amplitudes.diffuse.map(|a| (a, a));
+        let found = self.descend_levels(&before.candidate, AmplitudeRule::Optimised(limits));
+        vec![self.last_word(found, &limits)]
+    }
+
+    /// Stage 4: from the data's starts on the small sample, from the best of these, from the end of the stages
+    /// before and from what is contained on the larger one, and from the best of all on all cells.
+    fn joint(&mut self, before: &Best, contained: Contained) -> Vec<Best> {
+        let follow = AmplitudeRule::Optimised(self.space.limits);
+        let mut found = Vec::new();
+        let mut near: Vec<Candidate> = vec![before.candidate];
+        let contained = {
+            let shown = before.candidate;
+            let error = before.errors.total;
+            let mut grid = std::mem::take(self.grid);
+            let found = contained(&mut grid, &mut || self.report_progress(&shown, error, true));
+            *self.grid = grid;
+            found
+        };
+        for (brdf, errors) in contained {
+            let point = LobeShape::of(Variant::from(&brdf), &brdf.params).point();
+            let (_, amplitudes) = self.problem.parts(&brdf);
+            let candidate = Candidate {
+                point,
+                amplitudes,
+                error: errors.total,
+            };
+            near.push(candidate);
+            let brdf = brdf.with_model(self.space.variant.model);
+            self.known.push((candidate, brdf.params));
+            found.push(Best {
+                candidate,
+                brdf: self.space.variant.with(brdf.params),
+                errors,
+            });
+        }
+        if self.cancelled {
+            return found;
+        }
+        let starts = self.starts().to_vec();
+        let starts = starts.into_iter().map(|start| (start, None));
+        let mut ends = self.descend_side_by_side(starts, &Refinement::coarse(self.problem), follow);
+        if self.cancelled {
+            found.extend(ends.first().map(|end| self.measure(end.0)));
+            return found;
+        }
+        let limit = ends
+            .first()
+            .map_or(f64::INFINITY, |best| 1.03 * best.0.error);
+        ends.retain(|end| end.0.error <= limit);
+        ends.dedup_by(|a, b| multistart::same(a.0.point, b.0.point));
+        ends.truncate(2);
+        ends.extend(near.into_iter().map(|candidate| (candidate, None)));
+        let medium = Refinement::medium(self.problem);
+        let ends = self.descend_side_by_side(ends.into_iter(), &medium, follow);
+        if let Some((start, curvature)) = ends.first() {
+            if self.cancelled {
+                found.push(self.measure(*start));
+                return found;
+            }
+            let end = self.descend_all(start, *curvature, follow);
+            found.push(self.last_word(end, &self.space.limits));
+        }
+        found
+    }
+
+    /// The end of a descent with its solution made exact, unless nobody waits for that.
+    fn last_word(&self, end: Candidate, limits: &AmplitudeBounds) -> Best {
+        if self.cancelled {
+            self.measure(end)
+        } else {
+            self.solve(&end, limits, self.is_last())
+        }
+    }
+
+    /// Whether no stage follows that would move all that this one does.
+    fn is_last(&self) -> bool {
+        self.stage == Stage::Joint || !self.options.runs(Stage::Joint)
+    }
+
+    /// E over all cells as it is reported.
+    fn measure(&self, mut candidate: Candidate) -> Best {
+        let brdf = self.brdf(&candidate);
+        let errors = self.problem.errors(&brdf);
+        candidate.error = errors.total;
+        Best {
+            candidate,
+            brdf,
+            errors,
+        }
+    }
+
+    /// The same after solving for the amplitudes: to the last cell, or to what a look at all of them promises.
+    fn solve(&self, near: &Candidate, limits: &AmplitudeBounds, exactly: bool) -> Best {
+        let all = &self.problem.all;
+        let shapes = kernels::shapes(&self.lobe(near.point), all);
+        let (mut amplitudes, _) = regression::solve(
+            all,
+            &shapes,
+            &near.amplitudes,
+            limits,
+            Effort::CLOSE.near_error(near.error),
+            Threads::Many,
+        );
+        if exactly {
+            amplitudes = exact_l1::solve(all, &shapes, &amplitudes, limits);
+        }
+        self.measure(Candidate {
+            amplitudes,
+            ..*near
+        })
+    }
+
+    fn lobe(&self, point: SearchPoint) -> LobeKernel {
+        LobeKernel::new(LobeShape::at(point), self.space.variant.fresnel)
+    }
+
+    fn brdf(&self, candidate: &Candidate) -> Brdf {
+        // Through logarithms and back a number may differ in its last digit, and a fit be worse than one it contains.
+        let is_this = |known: &&(Candidate, Params)| {
+            known.0.point == candidate.point && known.0.amplitudes == candidate.amplitudes
+        };
+        if let Some((_, params)) = self.known.iter().find(is_this) {
+            return self.space.variant.with(*params);
+        }
+        self.space
+            .variant
+            .with(self.space.params(candidate, self.options))
+    }
+
+    fn report_progress(
+        &mut self,
+        candidate: &Candidate,
+        error: f64,
+        all_cells: bool,
+    ) -> ControlFlow<()> {
+        if self.cancelled {
+            return ControlFlow::Break(());
+        }
+        let progress = Progress {
+            stage: self.stage,
+            brdf: self.brdf(candidate),
+            error,
+            all_cells,
+            evaluations: self.evaluations,
+            share: self.share(),
+        };
+        self.shown = Some(progress);
+        let flow = (self.watch)(&progress);
+        self.cancelled |= flow.is_break();
+        flow
+    }
+
+    /// How far the fit is: stages count by what they cost.
+    fn share(&self) -> f32 {
+        let cost = |stage: Stage| match stage {
+            Stage::Amplitudes => 1.0,
+            Stage::Shape => 2.0,
+            Stage::ShapeAndSpecular => 4.0,
+            Stage::Joint => 6.0,
+        };
+        let all = || STAGES.into_iter().filter(|stage| self.options.runs(*stage));
+        let total: f32 = all().map(cost).sum();
+        let done: f32 = all().filter(|stage| *stage < self.stage).map(cost).sum();
+        let within = 1.0 - (-0.05 * self.evaluations as f32).exp();
+        (done + cost(self.stage) * within) / total.max(1.0)
+    }
+}

@@ -1,0 +1,201 @@
+//! The descents of the stages: side by side on a sample, alone on all cells.
+
+use super::super::descent::{self, Rules};
+use super::super::objective::{AmplitudeRule, Candidate, Objective};
+use super::super::outcome::{Progress, Watch};
+use super::super::problem::Problem;
+use super::super::symmetric_cells::SymmetricCells;
+use super::super::threads::Threads;
+use super::StagedFit;
+use crate::brdf::Brdf;
+use glam::{DMat3, DVec3};
+use rayon::prelude::*;
+use std::sync::{Mutex, PoisonError};
+
+/// How far a descent goes on some of the cells.
+pub(super) struct Refinement<'a> {
+    cells: &'a SymmetricCells,
+    threads: Threads,
+    tolerance: f64,
+    evaluations: usize,
+}
+
+impl<'a> Refinement<'a> {
+    /// To sort out starts.
+    pub(super) fn coarse(problem: &'a Problem) -> Self {
+        Self {
+            cells: &problem.coarse,
+            threads: Threads::One,
+            tolerance: 1e-4,
+            evaluations: 60,
+        }
+    }
+
+    /// To come near.
+    pub(super) fn medium(problem: &'a Problem) -> Self {
+        Self {
+            cells: &problem.medium,
+            tolerance: 1e-5,
+            ..Self::coarse(problem)
+        }
+    }
+
+    /// To come near where all cells have a say, before another stage goes on.
+    fn all(problem: &'a Problem) -> Self {
+        Self {
+            cells: &problem.all,
+            threads: Threads::Many,
+            ..Self::coarse(problem)
+        }
+    }
+
+    /// The last word.
+    fn last(problem: &'a Problem) -> Self {
+        Self {
+            tolerance: 1e-5,
+            ..Self::all(problem)
+        }
+    }
+}
+
+/// The watcher, shared by descents side by side.
+struct Watched<'w> {
+    watch: Watch<'w>,
+    shown: Option<Progress>,
+    stopped: bool,
+}
+
+impl Watched<'_> {
+    /// Tells of an evaluation, and of its model where that is better than what was shown. Returns whether to go on.
+    fn tell(&mut self, error: f64, brdf: impl FnOnce() -> Brdf) -> bool {
+        let Some(shown) = self.shown.as_mut().filter(|_| !self.stopped) else {
+            return !self.stopped;
+        };
+        shown.evaluations += 1;
+        if error < shown.error {
+            (shown.brdf, shown.error, shown.all_cells) = (brdf(), error, false);
+        }
+        self.stopped = (self.watch)(shown).is_break();
+        !self.stopped
+    }
+}
+
+impl<'a> StagedFit<'a, '_> {
+    /// Descents on a sample from several points, each on a thread of its own; the best end first.
+    pub(super) fn descend_side_by_side(
+        &mut self,
+        starts: impl Iterator<Item = (Candidate, Option<DMat3>)>,
+        level: &Refinement,
+        follow: AmplitudeRule,
+    ) -> Vec<(Candidate, Option<DMat3>)> {
+        let starts: Vec<_> = starts.collect();
+        let rules = self.rules(level);
+        let (space, options) = (&self.space, self.options);
+        let watched = Mutex::new(Watched {
+            watch: &mut *self.watch,
+            shown: self.shown,
+            stopped: self.cancelled,
+        });
+        let mut ends: Vec<_> = starts
+            .par_iter()
+            .map(|(start, curvature)| {
+                let fresnel = space.variant.fresnel;
+                let mut objective =
+                    Objective::new(level.cells, fresnel, follow, Some(start), level.threads);
+                let mut evaluate = |p: DVec3| {
+                    let value = objective.value(p.to_array());
+                    let best = objective.best?;
+                    let brdf = || space.variant.with(space.params(&best, options));
+                    // What another thread left is whole: a watcher that panics ends them all.
+                    let mut watched = watched.lock().unwrap_or_else(PoisonError::into_inner);
+                    watched.tell(best.error, brdf).then_some(value)
+                };
+                let from = DVec3::from_array(start.point);
+                let end = descent::descend(from, *curvature, &rules, &mut evaluate);
+                let curvature = end.and_then(|end| end.curvature);
+                let best = objective.best.unwrap_or(*start);
+                (best, curvature, objective.evaluations)
+            })
+            .collect();
+        let watched = watched.into_inner().unwrap_or_else(PoisonError::into_inner);
+        (self.shown, self.cancelled) = (watched.shown, watched.stopped);
+        self.evaluations += ends.iter().map(|end| end.2).sum::<usize>();
+        ends.sort_by(|a, b| a.0.error.total_cmp(&b.0.error));
+        ends.into_iter()
+            .map(|(end, curvature, _)| (end, curvature))
+            .collect()
+    }
+
+    /// A descent on the larger sample and then on all cells.
+    pub(super) fn descend_levels(&mut self, start: &Candidate, follow: AmplitudeRule) -> Candidate {
+        let near = std::iter::once((*start, None));
+        let alone = Refinement {
+            threads: Threads::Many,
+            ..Refinement::medium(self.problem)
+        };
+        let ends = self.descend_side_by_side(near, &alone, follow);
+        match ends.first() {
+            Some((end, curvature)) if !self.cancelled => self.descend_all(end, *curvature, follow),
+            Some((end, _)) => *end,
+            None => *start,
+        }
+    }
+
+    /// A descent on all cells, watched at every step.
+    pub(super) fn descend_all(
+        &mut self,
+        start: &Candidate,
+        curvature: Option<DMat3>,
+        follow: AmplitudeRule,
+    ) -> Candidate {
+        let level = if self.is_last() {
+            Refinement::last(self.problem)
+        } else {
+            Refinement::all(self.problem)
+        };
+        let rules = self.rules(&level);
+        let mut objective = self.objective(level.cells, follow, Some(start));
+        let mut evaluate = |p: DVec3| {
+            let value = objective.value(p.to_array());
+            self.evaluations += 1;
+            let best = objective.best?;
+            self.report_progress(&best, best.error, true)
+                .is_continue()
+                .then_some(value)
+        };
+        let end = descent::descend(
+            DVec3::from_array(start.point),
+            curvature,
+            &rules,
+            &mut evaluate,
+        );
+        if end.is_some_and(|end| !end.converged) {
+            self.exhausted = true;
+        }
+        objective.best.unwrap_or(*start)
+    }
+
+    fn rules(&self, level: &Refinement) -> Rules {
+        Rules {
+            bounds: self.space.bounds,
+            tolerance: level.tolerance,
+            evaluations: level.evaluations,
+            first_step: 0.15,
+        }
+    }
+
+    pub(super) fn objective(
+        &self,
+        cells: &'a SymmetricCells,
+        follow: AmplitudeRule,
+        near: Option<&Candidate>,
+    ) -> Objective<'a> {
+        Objective::new(
+            cells,
+            self.space.variant.fresnel,
+            follow,
+            near,
+            Threads::Many,
+        )
+    }
+}

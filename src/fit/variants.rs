@@ -1,0 +1,107 @@
+//! Fitting one variant or several: what a variant contains is fitted with it, once.
+
+use super::multistart::StartGrid;
+use super::options::{Options, Variant};
+use super::outcome::{Ended, Outcome, Progress, Watch};
+use super::problem::Problem;
+use super::staged_fit::StagedFit;
+use crate::brdf::{MODELS, ParamId, params};
+use std::ops::ControlFlow;
+
+/// Fits one variant.
+///
+/// Stopped by `watch`, the outcome is the best so far. A variant that contains others (the combined model at α = 0
+/// and 1) is never worse than these, fitted likewise.
+pub fn fit(problem: &Problem, variant: Variant, options: &Options, watch: Watch) -> Outcome {
+    fit_knowing(
+        problem,
+        variant,
+        options,
+        &[],
+        &mut StartGrid::default(),
+        watch,
+    )
+}
+
+/// Fits several variants; what one finds helps those that contain it, so this is quicker than one by one.
+///
+/// `watch` also gets the position of the variant under way. Stopped, the outcomes so far are returned, the one
+/// under way as the last of them.
+pub fn fit_all(
+    problem: &Problem,
+    variants: &[Variant],
+    options: &Options,
+    watch: &mut (dyn FnMut(usize, &Progress) -> ControlFlow<()> + Send),
+) -> Vec<Outcome> {
+    let mut outcomes: Vec<Outcome> = Vec::new();
+    let mut grid = StartGrid::default();
+    for (position, variant) in variants.iter().enumerate() {
+        let mut watch = |progress: &Progress| watch(position, progress);
+        let outcome = fit_knowing(problem, *variant, options, &outcomes, &mut grid, &mut watch);
+        let stopped = outcome.ended == Ended::Cancelled;
+        outcomes.push(outcome);
+        if stopped {
+            break;
+        }
+    }
+    outcomes
+}
+
+/// Fits a variant with what is known of others under the same options.
+fn fit_knowing(
+    problem: &Problem,
+    variant: Variant,
+    options: &Options,
+    known: &[Outcome],
+    grid: &mut StartGrid,
+    watch: Watch,
+) -> Outcome {
+    let contained = contained_variants(variant, options);
+    StagedFit::new(problem, variant, options, grid, watch).run(&mut |grid, go_on| {
+        let mut found = Vec::new();
+        for (inner, inner_options) in &contained {
+            let same = |outcome: &&Outcome| Variant::from(&outcome.brdf) == *inner;
+            let of = |outcome: &Outcome| (outcome.brdf, outcome.errors);
+            found.push(match known.iter().find(same) {
+                Some(outcome) if inner_options == options => of(outcome),
+                _ => of(
+                    &StagedFit::new(problem, *inner, inner_options, grid, &mut |_| go_on())
+                        .run(&mut |_, _| Vec::new()),
+                ),
+            });
+            if go_on().is_break() {
+                break;
+            }
+        }
+        found
+    })
+}
+
+/// The variants that equal this one at some α, with the options that mean the same for them.
+fn contained_variants(variant: Variant, options: &Options) -> Vec<(Variant, Options)> {
+    let Some(alpha) = variant.model.param(ParamId::Alpha) else {
+        return Vec::new();
+    };
+    if options.held.alpha.is_some() {
+        return Vec::new();
+    }
+    let (low, high) = options.bounds_of(alpha);
+    let within = |alpha: f64| (low..=high).contains(&alpha);
+    MODELS
+        .into_iter()
+        .filter(|model| model.alpha.is_some_and(within))
+        .map(|model| {
+            let ratio = model.exponent_ratio / variant.model.exponent_ratio;
+            let mut inner = *options;
+            inner.held.s = inner.held.s.map(|s| s * ratio);
+            inner.start.s = inner.start.s.map(|s| s * ratio);
+            for (bounds, row) in inner.bounds.iter_mut().zip(params::ALL) {
+                if row.id == ParamId::S {
+                    *bounds = bounds.map(|(low, high)| (low * ratio, high * ratio));
+                }
+            }
+            let fresnel = variant.fresnel;
+            (Variant { model, fresnel }, inner)
+        })
+        .collect()
+}

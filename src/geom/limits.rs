@@ -1,0 +1,23 @@
+//! Bounds that several parts of the program keep, each once.
+
+/// Exposure in stops, either way from 0: on the command line, in the window and in sessions.
+///
+/// 2³⁰ spans what f32 and half floats of pictures hold with any f_r and light, so that shaders make no infinity; sessions
+/// and pictures were bounded by 10 and 30 before, and figure files, which are not bounded, are read as ever.
+pub const MAX_EXPOSURE_STOPS: f64 = 30.0;
+
+/// Largest θi that can be set in the window and that a session keeps, in degrees: below the horizon by half a bin.
+pub const MAX_THETA_I_DEG: f64 = 89.5;
+/// Largest θi that can be set, in radians.
+pub const MAX_THETA_I: f64 = MAX_THETA_I_DEG * std::f64::consts::PI / 180.0;
+
+/// θi or θo from here on is grazing, in degrees: E is reported for this part alone as well.
+pub const GRAZING_THETA_DEG: f64 = 70.0;
+/// θi or θo from here on is grazing, in radians.
+pub const GRAZING_THETA: f64 = GRAZING_THETA_DEG * std::f64::consts::PI / 180.0;
+
+/// θi or θo beyond this is shaded in plots, in degrees: measurements are not to be relied on [Ngan05].
+pub const UNRELIABLE_THETA_DEG: f64 = 80.0;
+/// θi or θo beyond this is shaded in plots, in radians.
+pub const UNRELIABLE_THETA: f64 = UNRELIABLE_THETA_DEG * std::f64::consts::PI / 180.0;
+

@@ -1,0 +1,138 @@
+//! Names of enum variants in files and on the command line: serde's names are the only ones, and `key()` and `by_key()`
+//! of an enum are derived from them here.
+
+use serde::Deserialize;
+use serde::de::value::{Error, StrDeserializer};
+use serde::de::{Deserializer, Error as _, IntoDeserializer, Visitor};
+use serde::forward_to_deserialize_any;
+
+/// The names that serde gives the variants of an enum, in the order of their declaration; none for another type.
+pub fn names<T: Deserialize<'static>>() -> &'static [&'static str] {
+    let mut names: &'static [&'static str] = &[];
+    // It ends in an error when it has the names; a type that is no enum has none.
+    let _ = T::deserialize(Names(&mut names));
+    names
+}
+
+/// The name of the variant at a position, `value as usize` for an enum without data; empty where there is none.
+pub fn key_at<T: Deserialize<'static>>(position: usize) -> &'static str {
+    names::<T>().get(position).copied().unwrap_or_default()
+}
+
+/// The variant without data that serde reads from a name.
+pub fn by_key<'a, T: Deserialize<'a>>(key: &'a str) -> Option<T> {
+    let text: StrDeserializer<'a, Error> = key.into_deserializer();
+    T::deserialize(text).ok()
+}
+
+/// Takes the names of an enum's variants instead of a value.
+struct Names<'n>(&'n mut &'static [&'static str]);
+
+impl<'de> Deserializer<'de> for Names<'_> {
+    type Error = Error;
+
+    fn deserialize_enum<V: Visitor<'de>>(
+        self,
+        _name: &'static str,
+        variants: &'static [&'static str],
+        _visitor: V,
+    ) -> Result<V::Value, Error> {
+        *self.0 = variants;
+        Err(Error::custom(""))
+    }
+
+    fn deserialize_any<V: Visitor<'de>>(self, _visitor: V) -> Result<V::Value, Error> {
+        Err(Error::custom(""))
+    }
+
+    forward_to_deserialize_any! {
+        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf option unit unit_struct
+        newtype_struct seq tuple tuple_struct map struct identifier ignored_any
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::brdf::Fresnel;
+    use crate::brdf::fresnel::FRESNELS;
+    use crate::figure::image_slice::{SHOWN, Shown};
+    use crate::figure::page::{INKS, Inks, SAME_AXES, SameAxes, ViewSpec};
+    use crate::figure::scale::RADIAL_SCALES;
+    use crate::figure::slices::{OVERS, Over, RESIDUALS, Residual};
+    use crate::figure::subject::CHANNELS;
+    use crate::figure::{Channel, RadialScale};
+    use crate::fit::{WEIGHTS, Weight};
+    use crate::measured::Lookup;
+    use crate::measured::lookup::LOOKUPS;
+    use serde::Serialize;
+    use std::fmt::Debug;
+
+    /// Every value has its old word, and reads and writes it.
+    fn check<T>(all: &[T], words: &[&str], key: fn(T) -> &'static str)
+    where
+        T: Copy + Debug + PartialEq + Serialize + for<'a> Deserialize<'a>,
+    {
+        assert_eq!(names::<T>().len(), all.len());
+        assert_eq!(all.len(), words.len());
+        for (value, word) in all.iter().zip(words) {
+            assert_eq!(key(*value), *word);
+            assert_eq!(by_key::<T>(word), Some(*value));
+            let json = serde_json::to_string(value).expect("a word");
+            assert_eq!(json, format!("\"{word}\""));
+        }
+        // Planted: the name on screen, another spelling, nothing.
+        assert_eq!(by_key::<T>(""), None);
+        assert_eq!(by_key::<T>(&words[0].to_uppercase()), None);
+    }
+
+    #[test]
+    fn the_words_of_files_and_of_the_command_line_are_the_old_ones_and_the_same() {
+        check(&FRESNELS, &["none", "exact", "schlick"], Fresnel::key);
+        check(&WEIGHTS, &["cells", "solid-angle", "cosine"], Weight::key);
+        check(&LOOKUPS, &["nearest", "smooth"], Lookup::key);
+        check(
+            &RADIAL_SCALES,
+            &["linear", "cube-root", "log"],
+            RadialScale::key,
+        );
+        check(&CHANNELS, &["luminance", "r", "g", "b"], Channel::key);
+        check(
+            &OVERS,
+            &["theta-o", "theta-h", "theta-d", "phi-d"],
+            Over::key,
+        );
+        check(&RESIDUALS, &["none", "difference", "ratio"], Residual::key);
+        check(
+            &SHOWN,
+            &["measured", "model", "residual", "ratio"],
+            Shown::key,
+        );
+        check(&SAME_AXES, &["figure", "row", "panel"], SameAxes::key);
+        check(&INKS, &["color", "grey"], |inks: Inks| {
+            key_at::<Inks>(inks as usize)
+        });
+    }
+
+    #[test]
+    fn a_view_on_paper_is_called_as_in_its_file() {
+        let views: [ViewSpec; 9] = names::<ViewSpec>()
+            .iter()
+            .map(|name| match *name {
+                "scatter" => ViewSpec::Scatter,
+                name => serde_json::from_str(&format!("{{\"{name}\": {{}}}}")).expect("defaults"),
+            })
+            .collect::<Vec<_>>()
+            .try_into()
+            .expect("nine");
+        for (view, name) in views.iter().zip(names::<ViewSpec>()) {
+            assert_eq!(view.key(), *name);
+        }
+    }
+
+    #[test]
+    fn what_is_no_enum_has_no_names() {
+        assert!(names::<f64>().is_empty());
+        assert_eq!(key_at::<Fresnel>(3), "");
+    }
+}
