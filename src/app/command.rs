@@ -68,6 +68,7 @@ pub enum Command {
     ResetLayout,
     Palette,
     Lesson(usize),
+    Guide,
     Conventions,
     About,
 }

@@ -4,6 +4,7 @@ pub mod command;
 pub mod derived;
 pub mod fitting;
 mod formula;
+pub mod guide;
 mod history;
 mod jobs;
 pub mod lessons;

@@ -2,6 +2,7 @@
 
 use super::command::Command;
 use super::fitting::{FitMsg, Settings, steps};
+use super::guide::GuideAt;
 use super::lessons;
 use super::library::{LibraryMsg, LibraryTask, fit_run, show};
 use super::paper::{self, PaperTask};
@@ -162,6 +163,7 @@ pub(super) fn run(state: &mut State, command: Command) -> Vec<Task> {
             state.dialog = Some(Dialog::OpenPath);
         }
         Command::Lesson(lesson) => return lessons::go(state, lesson, 0),
+        Command::Guide => state.dialog = Some(Dialog::Guide(GuideAt::default())),
         Command::Conventions => state.dialog = Some(Dialog::Conventions),
         Command::About => state.dialog = Some(Dialog::About),
     }

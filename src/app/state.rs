@@ -2,6 +2,7 @@
 
 use super::derived::Derived;
 use super::fitting::{FitState, KeptFit};
+use super::guide::GuideAt;
 use super::history::History;
 use super::lessons::LessonAt;
 use super::library::{Library, Presence};
@@ -313,6 +314,8 @@ pub enum Dialog {
     OpenPath,
     /// A figure to export.
     Figure,
+    /// The pages of the guide, at a place.
+    Guide(GuideAt),
     /// Angles, vectors, units.
     Conventions,
     /// Version and graphics adapter.

@@ -3,6 +3,7 @@
 use super::command::Command;
 use super::derived::{self, DerivedMsg, Work};
 use super::fitting::{FitMsg, FitTask, Resolve, steps};
+use super::guide::GuideAt;
 use super::lessons;
 use super::library::{self, LibraryMsg, LibraryTask};
 use super::open_fits;
@@ -12,7 +13,7 @@ use super::paper::{self, PaperMsg, PaperTask};
 use super::probe::Probe;
 use super::run_command;
 use super::session::{self, SessionMsg, SessionTask};
-use super::state::{CancelFlag, Level, LobeTile, Notice, Origin, Scene, SphereTile, State};
+use super::state::{CancelFlag, Dialog, Level, LobeTile, Notice, Origin, Scene, SphereTile, State};
 use super::subjects::{self, SubjectKey, Subjects};
 use super::tasks::ModelExport;
 use super::views::{
@@ -110,6 +111,8 @@ pub enum Msg {
     SetBeside(usize, bool),
     /// What is typed in the open dialog.
     Typed(String),
+    /// Show a place of the guide.
+    ReadGuide(GuideAt),
     /// Close the dialog.
     CloseDialog,
     /// Say something.
@@ -305,6 +308,7 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
             }
         }),
         Msg::Typed(text) => state.typed = text,
+        Msg::ReadGuide(at) => state.dialog = Some(Dialog::Guide(at)),
         Msg::CloseDialog => state.dialog = None,
         Msg::Notify(level, text) => notify(state, level, text),
         Msg::Dismiss(id) => state.notices.retain(|notice| notice.id != id),
