@@ -36,6 +36,7 @@ pub fn table_ui(
             let x = ui.min_rect().left()..=ui.min_rect().left() + ui.available_width();
             ui.painter().hline(x, y, line);
         }
+        ui.allocate_space(vec2(1.0, 2.0));
     });
 }
 
