@@ -1,5 +1,6 @@
 //! The window: egui over the state. Panels read the state and push messages; [`update::apply`] changes it.
 pub mod command;
+pub mod guide;
 pub mod jobs;
 pub mod lessons;
 pub mod msg;

@@ -32,7 +32,7 @@ Examples:
 /// E = Σ w |model − measured| / Σ w measured over all measured cells and R, G, B. With the default weight E is the
 /// share of the reflected energy that the model puts in the wrong place, under light from everywhere.
 ///
-/// The result is a JSON array with an object per fit, described in the README. A file that cannot be used is reported
+/// The result is a JSON array with an object per fit, described in docs/formats.md. A file that cannot be used is reported
 /// in one line and the others go on; the exit code is then 1. Where standard error is a terminal, a bar shows how far
 /// it is. Ctrl+C ends it, and then nothing is written.
 #[derive(clap::Args)]

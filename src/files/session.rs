@@ -1,6 +1,6 @@
 //! Session files as far as the file system goes: what tells one from other JSON, and where its materials may be.
 //!
-//! What is in one is the window's affair; the README documents its keys.
+//! What is in one is the window's affair; `docs/formats.md` documents its keys.
 
 use super::fits::SourceFile;
 use super::paths::{absolute, material_name};

@@ -347,6 +347,14 @@ pub(crate) fn entries() -> Vec<Entry> {
     add(
         "Help",
         "",
+        Command::Guide,
+        "Guide",
+        None,
+        "How to work in the window and without one, figures, formats and theory",
+    );
+    add(
+        "Help",
+        "",
         Command::Conventions,
         "Conventions",
         Some((Modifiers::NONE, Key::F1)),

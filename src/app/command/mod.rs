@@ -69,6 +69,7 @@ pub enum Command {
     ResetLayout,
     Palette,
     Lesson(usize),
+    Guide,
     Conventions,
     About,
 }

@@ -7,6 +7,7 @@ pub mod session;
 pub mod work;
 
 use crate::app::command::Command;
+use crate::app::guide::GuideAt;
 use crate::app::msg::cache::CacheMsg;
 use crate::app::msg::figure::{FigureMsg, FigureTask};
 use crate::app::msg::fit::{FitMsg, FitTask, RefitAmplitudes};
@@ -120,6 +121,8 @@ pub enum Msg {
     SetBeside(usize, bool),
     /// What is typed in the open dialog.
     Typed(String),
+    /// Show a place of the guide.
+    ReadGuide(GuideAt),
     /// Close the dialog.
     CloseDialog,
     /// Say something.

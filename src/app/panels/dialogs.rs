@@ -1,8 +1,9 @@
-//! The windows over the window: all commands, conventions, about.
+//! The windows over the window: all commands, guide, conventions, about.
 
 use crate::app::command::{ENTRIES, Entry};
 use crate::app::msg::Msg;
 use crate::app::panels::figure::figure_ui;
+use crate::app::panels::guide::guide_ui;
 use crate::app::state::State;
 use crate::app::state::notice::Dialog;
 use crate::app::widgets::paint::rich_text_job;
@@ -20,6 +21,7 @@ pub fn dialog_ui(ctx: &egui::Context, state: &State, adapter: &str, out: &mut Ve
                 Dialog::Palette => palette_ui(ui, state, out),
                 Dialog::OpenPath => open_path_ui(ui, state, out),
                 Dialog::Figure => figure_ui(ui, state, out),
+                Dialog::Guide(at) => guide_ui(ui, at, out),
                 Dialog::Conventions => conventions_ui(ui),
                 Dialog::About => about_ui(ui, adapter),
             }

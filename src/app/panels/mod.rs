@@ -6,6 +6,7 @@ pub mod fit;
 pub mod fit_details;
 pub mod fit_result;
 pub mod fit_stages;
+pub mod guide;
 pub mod lesson;
 pub mod library;
 pub mod menu;

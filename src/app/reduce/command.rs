@@ -1,6 +1,7 @@
 //! What each command does to the state.
 
 use crate::app::command::Command;
+use crate::app::guide::GuideAt;
 use crate::app::msg::figure::FigureTask;
 use crate::app::msg::fit::FitMsg;
 use crate::app::msg::library::{LibraryMsg, LibraryTask};
@@ -164,6 +165,7 @@ pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
             state.dialog = Some(Dialog::OpenPath);
         }
         Command::Lesson(lesson) => return lesson::go(state, lesson, 0),
+        Command::Guide => state.dialog = Some(Dialog::Guide(GuideAt::default())),
         Command::Conventions => state.dialog = Some(Dialog::Conventions),
         Command::About => state.dialog = Some(Dialog::About),
     }

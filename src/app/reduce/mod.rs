@@ -15,6 +15,7 @@ pub mod show;
 use crate::app::msg::{Msg, Task};
 use crate::app::reduce::opening::{forget_unreachable, load};
 use crate::app::state::material::Origin;
+use crate::app::state::notice::Dialog;
 use crate::app::state::notice::{Level, Notice};
 use crate::app::state::subjects::Subjects;
 use crate::app::state::{Scene, State, subjects};
@@ -145,6 +146,7 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
             }
         }),
         Msg::Typed(text) => state.typed = text,
+        Msg::ReadGuide(at) => state.dialog = Some(Dialog::Guide(at)),
         Msg::CloseDialog => state.dialog = None,
         Msg::Notify(level, text) => notify(state, level, text),
         Msg::Dismiss(id) => state.notices.retain(|notice| notice.id != id),

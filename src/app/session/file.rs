@@ -1,4 +1,4 @@
-//! A session as plain data, as its file has it. The README documents the keys.
+//! A session as plain data, as its file has it. `docs/formats.md` documents the keys.
 
 use crate::app::state::fitting::kept::SortBy;
 use crate::app::state::layout::Tiles;

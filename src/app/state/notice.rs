@@ -1,5 +1,7 @@
 //! Notices in the corner of the window, and the dialogs over it.
 
+use crate::app::guide::GuideAt;
+
 /// How bad a notice is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Level {
@@ -29,6 +31,8 @@ pub enum Dialog {
     OpenPath,
     /// A figure to export.
     Figure,
+    /// The pages of the guide, at a place.
+    Guide(GuideAt),
     /// Angles, vectors, units.
     Conventions,
     /// Version and graphics adapter.

@@ -65,7 +65,7 @@ pub enum Lobe {
         interface: Interface,
     },
     /// A clear surface (η = 1.5) that is rough on the scale of the wavelength only. It diffracts by the difference of
-    /// the tangential components of wo and wr, whatever the angle of incidence [Krywonos11, Löw12]: broad at grazing angles.
+    /// the tangential components of wo and wr, whatever the angle of incidence [Krywonos11, Low12]: broad at grazing angles.
     Smooth {
         /// 1/e width of the Gaussian spectrum of the roughness, in tangential components.
         width: f64,
