@@ -58,7 +58,7 @@ pub struct Args {
     #[arg(long, value_parser = PossibleValuesParser::new(RADIAL_SCALES.map(RadialScale::key)), requires = "preset")]
     scale: Option<String>,
     /// Exposure of spheres in stops
-    #[arg(long, value_name = "EV", default_value_t = 0.0, requires = "preset", allow_hyphen_values = true, value_parser = exposure)]
+    #[arg(long, value_name = "EV", default_value_t = 0.0, requires = "preset", allow_hyphen_values = true, value_parser = super::render::exposure)]
     exposure: f64,
     #[command(flatten)]
     look: Look,
@@ -152,13 +152,6 @@ fn theta_i(text: &str) -> Result<f64, String> {
     }
 }
 
-fn exposure(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(stops) if stops.abs() <= 100.0 => Ok(stops),
-        _ => Err("expected stops from −100 to 100".into()),
-    }
-}
-
 pub fn run(args: &Args) -> Result<(), CliError> {
     let Some(format) = Format::of_path(&args.output) else {
         let known = FORMATS.map(|format| format!(".{}", format.extension()));
@@ -235,5 +228,45 @@ impl From<ExportError> for CliError {
             ExportError::File(error) => Self::File(error),
             error => Self::Other(error.to_string()),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geom::limits::MAX_EXPOSURE_STOPS;
+    use clap::Parser;
+
+    #[derive(Parser)]
+    struct Figure {
+        #[command(flatten)]
+        args: Args,
+    }
+
+    #[derive(Parser)]
+    struct Render {
+        #[command(flatten)]
+        args: crate::cli::render::Args,
+    }
+
+    /// Whether `figure` and `render` take an exposure.
+    fn taken(stops: f64) -> [bool; 2] {
+        let stops = format!("--exposure={stops}");
+        let preset = PRESETS[0].key;
+        let figure = ["figure", "--preset", preset, "a.json", "-o", "a.svg"];
+        let render = ["render", "a.json", "-o", "a.png"];
+        [
+            Figure::try_parse_from(figure.iter().chain([&stops.as_str()]))
+                .is_ok_and(|figure| figure.args.exposure.abs() > 1.0),
+            Render::try_parse_from(render.iter().chain([&stops.as_str()])).is_ok(),
+        ]
+    }
+
+    #[test]
+    fn an_exposure_that_one_command_takes_the_other_takes() {
+        assert_eq!(taken(MAX_EXPOSURE_STOPS), [true; 2]);
+        assert_eq!(taken(-MAX_EXPOSURE_STOPS), [true; 2]);
+        assert_eq!(taken(MAX_EXPOSURE_STOPS + 1.0), [false; 2]);
+        assert_eq!(taken(99.0), [false; 2]);
     }
 }

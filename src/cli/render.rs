@@ -2,6 +2,8 @@
 
 mod parse;
 
+pub(super) use parse::exposure;
+
 use super::{CliError, eval};
 use crate::brdf::Brdf;
 use crate::figure::sphere_image::{LinearImage, SphereSource, render};

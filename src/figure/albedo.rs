@@ -10,6 +10,7 @@ use super::scale::{Axis, RadialScale, Steps, nice_limit};
 use super::subject::{Channel, Look, Source, Subject};
 use super::text::RichText;
 use crate::brdf;
+use crate::geom::limits::UNRELIABLE_THETA_DEG;
 use crate::geom::{Rgb, degrees};
 use crate::measured;
 use serde::{Deserialize, Serialize};
@@ -108,9 +109,6 @@ pub struct AlbedoPlot {
     pub legend: Vec<LegendEntry>,
 }
 
-/// Where grazing begins.
-const GRAZING_DEG: f64 = 80.0;
-
 impl AlbedoPlot {
     /// Plots the curves of the subjects that are not hidden into `size` points. `curves` are in the order of the
     /// subjects; one without points is not computed yet.
@@ -150,7 +148,11 @@ impl AlbedoPlot {
             }],
         };
         let mut plot = Plot::new(&outline, size);
-        plot.shade(GRAZING_DEG, 90.0, Ink::from(Role::Faint).faded(0.45));
+        plot.shade(
+            UNRELIABLE_THETA_DEG,
+            90.0,
+            Ink::from(Role::Faint).faded(0.45),
+        );
         plot.axes();
         plot.level(
             0,
@@ -162,8 +164,8 @@ impl AlbedoPlot {
         );
         draw_curves(&mut plot, &shown);
         draw_probe(&mut plot, spec, &shown);
-        let text = RichText::literal("> 80°");
-        plot.note(0, GRAZING_DEG, 90.0, &text, Role::Muted);
+        let text = RichText::literal(&format!("> {UNRELIABLE_THETA_DEG}°"));
+        plot.note(0, UNRELIABLE_THETA_DEG, 90.0, &text, Role::Muted);
         if shown.is_empty() {
             let waits = curves.iter().zip(subjects).any(|(_, s)| !s.hidden);
             plot.say(

@@ -7,6 +7,7 @@ use super::heatmap::{Cell, ColorScale, Curve, CurveKind, Field, HeatSpec, Law, S
 use super::mark::Mark;
 use super::scale::{Axis, RadialScale, nice_limit};
 use super::subject::{Channel, Source};
+use crate::geom::limits::{UNRELIABLE_THETA, UNRELIABLE_THETA_DEG};
 use crate::geom::{HalfDiff, Rgb, degrees};
 use crate::keys;
 use crate::measured::Grid;
@@ -214,9 +215,9 @@ impl ImageSpec {
             smooth: false,
             square: false,
             curves: vec![Curve {
-                points: self.grazing(80f64.to_radians()),
+                points: self.grazing(UNRELIABLE_THETA),
                 kind: CurveKind::Limit,
-                label: Some("80°".into()),
+                label: Some(format!("{UNRELIABLE_THETA_DEG}°")),
             }],
             spots: self.probe.map(Spot::Probe).into_iter().collect(),
             nothing: "No value at this φd.",

@@ -10,7 +10,7 @@ mod spec;
 mod traces;
 
 pub use frame::LobeFrame;
-pub use spec::{LobeSpec, MAX_THETA_I};
+pub use spec::LobeSpec;
 pub use traces::Trace;
 
 use super::drawing::Drawing;

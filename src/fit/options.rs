@@ -252,5 +252,3 @@ impl Options {
 
 /// The grazing limit that leaves nothing out, in radians.
 pub const NO_LIMIT: f64 = FRAC_PI_2;
-/// θi or θo from here on is grazing, in radians: 70°.
-pub const GRAZING: f64 = 70.0 * std::f64::consts::PI / 180.0;

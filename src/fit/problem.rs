@@ -6,13 +6,14 @@ use super::exact_l1;
 use super::kernels;
 use super::lobe_kernel::{LobeKernel, LobeShape};
 use super::objective::SearchSpace;
-use super::options::{GRAZING, Options, Variant, Weight};
+use super::options::{Options, Variant, Weight};
 use super::outcome::Errors;
 use super::regression::{self, Effort};
 use super::simd::LANES;
 use super::symmetric_cells::{Sampling, SymmetricCells};
 use super::threads::Threads;
 use crate::brdf::Brdf;
+use crate::geom::limits::GRAZING_THETA;
 use crate::measured::Table;
 use std::f64::consts::FRAC_PI_2;
 
@@ -58,7 +59,7 @@ impl Problem {
         Ok(Self {
             medium: sample(MEDIUM),
             coarse: sample(COARSE),
-            grazing: limit >= GRAZING,
+            grazing: limit >= GRAZING_THETA,
             all,
         })
     }

@@ -10,8 +10,9 @@
 //! so that a pass reads f_r and hardly anything else.
 
 use super::error::ProblemError;
-use super::options::{GRAZING, Weight};
+use super::options::Weight;
 use super::simd::LANES;
+use crate::geom::limits::GRAZING_THETA;
 use crate::measured::Table;
 use crate::measured::grid::{Grid, THETA_D_BINS, THETA_H_BINS};
 use rayon::prelude::*;
@@ -255,7 +256,7 @@ impl SlabBuilder {
             ),
         };
         let grazing_end = (first..cos_phi.len())
-            .find(|k| smaller(*k) > GRAZING.cos())
+            .find(|k| smaller(*k) > GRAZING_THETA.cos())
             .unwrap_or(cos_phi.len())
             - first;
         let count = cos_phi.len() - first;

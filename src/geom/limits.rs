@@ -20,4 +20,3 @@ pub const GRAZING_THETA: f64 = GRAZING_THETA_DEG * std::f64::consts::PI / 180.0;
 pub const UNRELIABLE_THETA_DEG: f64 = 80.0;
 /// θi or θo beyond this is shaded in plots, in radians.
 pub const UNRELIABLE_THETA: f64 = UNRELIABLE_THETA_DEG * std::f64::consts::PI / 180.0;
-

@@ -8,6 +8,7 @@ pub mod cosines;
 pub mod degrees;
 pub mod directions;
 pub mod half_diff;
+pub mod limits;
 pub mod sphere;
 pub mod sphere_error;
 

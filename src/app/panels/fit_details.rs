@@ -8,6 +8,7 @@ use crate::brdf::params::ALL;
 use crate::figure::text::RichText;
 use crate::fit::Weight;
 use crate::fit::outcome::ALBEDO_ANGLES;
+use crate::geom::limits::GRAZING_THETA_DEG;
 
 /// Marks an albedo.
 const ABOVE_ONE: &str = "   > 1";
@@ -46,7 +47,7 @@ pub fn details_ui(ui: &mut egui::Ui, state: &State, kept: &KeptFit) {
     ui.strong(variant_name(kept.variant()));
     let mut lines = vec![("E".to_string(), percent(outcome.errors.total))];
     if let Some(grazing) = outcome.errors.grazing {
-        lines.push(("E, θ ≥ 70°".into(), percent(grazing)));
+        lines.push((format!("E, θ ≥ {GRAZING_THETA_DEG}°"), percent(grazing)));
     }
     let channels = outcome.errors.channels.map(percent).join("   ");
     lines.push(("E of R, G, B".into(), channels));

@@ -9,6 +9,7 @@ use crate::brdf::{Fresnel, Model, params};
 use crate::figure::lobes::MAX_THETA_I;
 use crate::fit::options::default_bounds;
 use crate::fit::{STAGES, Stage};
+use crate::geom::limits::{MAX_EXPOSURE_STOPS, MAX_THETA_I};
 use crate::geom::sphere::{MAX_LIGHTS, SphereView};
 use crate::measured::samples::SAMPLES;
 use glam::DVec3;
@@ -17,8 +18,6 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Angles of incidence that a tile offers at most.
 const MOST_ANGLES: usize = 5;
-/// Limits of the exposure in stops.
-const STOPS: f64 = 10.0;
 /// The brightest light.
 const STRONGEST: f64 = 1e3;
 /// Least grazing limit in radians.
@@ -113,7 +112,9 @@ fn lights(view: &mut SphereView) {
         light.direction = unit(light.direction).unwrap_or(DVec3::Z);
         light.strength = light.strength.map(|channel| channel.clamp(0.0, STRONGEST));
     }
-    view.exposure_stops = view.exposure_stops.clamp(-STOPS, STOPS);
+    view.exposure_stops = view
+        .exposure_stops
+        .clamp(-MAX_EXPOSURE_STOPS, MAX_EXPOSURE_STOPS);
 }
 
 /// At least one angle in [0, `last`], at most as many as the tile offers.

@@ -1,5 +1,6 @@
 //! The values of the options of `grazing render`: each function says in one line what is wrong and what was expected.
 
+use crate::geom::limits::MAX_EXPOSURE_STOPS;
 use crate::geom::sphere::{LIGHT_PRESETS, Light, MAX_LIGHTS};
 
 /// The lights of a sphere.
@@ -54,7 +55,7 @@ pub fn lights(text: &str) -> Result<Lights, String> {
 
 /// Exposure in stops.
 pub fn exposure(text: &str) -> Result<f64, String> {
-    const MOST: f64 = 30.0;
+    const MOST: f64 = MAX_EXPOSURE_STOPS;
     match text.trim().parse::<f64>() {
         Ok(stops) if stops.abs() <= MOST => Ok(stops),
         Ok(stops) if !stops.is_nan() => {

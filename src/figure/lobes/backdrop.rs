@@ -7,10 +7,8 @@ use crate::figure::palette::{Ink, Role};
 use crate::figure::placing::Placing;
 use crate::figure::scale::power_of_ten;
 use crate::figure::text::RichText;
+use crate::geom::limits::UNRELIABLE_THETA_DEG;
 use std::f64::consts::FRAC_PI_2;
-
-/// Where grazing begins: the regions beyond are shaded.
-pub(super) const GRAZING_DEG: f64 = 80.0;
 
 /// A drawing in the making.
 pub(super) struct Sheet<'a> {
@@ -54,7 +52,7 @@ impl<'a> Sheet<'a> {
 pub(super) fn ground(sheet: &mut Sheet) {
     let frame = sheet.frame;
     let grid = Ink::from(Role::Faint);
-    let grazing = GRAZING_DEG.to_radians();
+    let grazing = UNRELIABLE_THETA_DEG.to_radians();
     for side in [-1.0, 1.0] {
         let mut wedge = vec![frame.origin];
         wedge.extend(arc(frame, 1.0, side * grazing, side * FRAC_PI_2));
@@ -92,7 +90,12 @@ pub(super) fn ground(sheet: &mut Sheet) {
             side * 84.8_f64.to_radians(),
             1.0 - f64::from(2.2 * sheet.font / frame.radius),
         );
-        let mut label = sheet.label(RichText::literal("> 80°"), at, Anchor::CENTER, Role::Muted);
+        let mut label = sheet.label(
+            RichText::literal(&format!("> {UNRELIABLE_THETA_DEG}°")),
+            at,
+            Anchor::CENTER,
+            Role::Muted,
+        );
         label.size = 0.85 * sheet.font;
         // The region is this high where the label is.
         if f64::from(frame.radius) * 0.8 * 10f64.to_radians().tan() > 1.4 * f64::from(sheet.font) {

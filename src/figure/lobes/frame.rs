@@ -1,8 +1,8 @@
 //! Where angles and values are in a lobe plot.
 
-use super::spec::MAX_THETA_I;
 use crate::figure::drawing::Point;
 use crate::figure::scale::Axis;
+use crate::geom::limits::MAX_THETA_I;
 use std::f64::consts::FRAC_PI_2;
 
 /// The half disc of a lobe plot.

@@ -7,9 +7,6 @@ use crate::geom::degrees;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-/// Angles of incidence that are drawn are kept below this, so that wi stays above the horizon.
-pub const MAX_THETA_I: f64 = 89.5 * std::f64::consts::PI / 180.0;
-
 /// What a lobe plot shows of its curves.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]

@@ -8,6 +8,7 @@ use crate::figure::scale::{RADIAL_SCALES, RadialScale};
 use crate::figure::subject::{CHANNELS, Channel, Look, Source};
 use crate::geom::Cosines;
 use crate::geom::Rgb;
+use crate::geom::limits::MAX_THETA_I;
 use glam::DVec3;
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;

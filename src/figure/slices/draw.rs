@@ -10,9 +10,8 @@ use crate::figure::samples;
 use crate::figure::scale::{Axis, RadialScale, Steps, nice_limit};
 use crate::figure::subject::Subject;
 use crate::figure::text::RichText;
+use crate::geom::limits::UNRELIABLE_THETA_DEG;
 
-/// Where grazing begins.
-const GRAZING_DEG: f64 = 80.0;
 /// Fewest and most decades of a logarithmic axis that is laid out from the curves.
 const DECADES: (i32, i32) = (1, 8);
 
@@ -56,7 +55,7 @@ pub(super) fn draw(spec: &SliceSpec, subjects: &[Subject], size: [f32; 2]) -> Sl
     lines(&mut plot, spec, subjects, &traces, &residuals);
     probe(&mut plot, spec, subjects, &traces, &residuals);
     names(&mut plot, spec, &traces);
-    let text = RichText::literal("> 80°");
+    let text = RichText::literal(&format!("> {UNRELIABLE_THETA_DEG}°"));
     for [from, to] in grazing {
         plot.note(0, from.to_degrees(), to.to_degrees(), &text, Role::Muted);
     }
@@ -191,7 +190,7 @@ pub(super) fn grazing_regions(spec: &SliceSpec) -> Vec<[f64; 2]> {
     let slice = (0..spec.theta_i.len())
         .min_by(|a, b| spec.theta_i[*a].total_cmp(&spec.theta_i[*b]))
         .unwrap_or(0);
-    let edge = GRAZING_DEG.to_radians().cos();
+    let edge = UNRELIABLE_THETA_DEG.to_radians().cos();
     let grazes = |x: f64| {
         let (wi, wo) = spec.pair(slice, x);
         let lower = wi.z.min(wo.z);

@@ -14,11 +14,9 @@ use crate::figure::Mark;
 use crate::figure::albedo::{AlbedoCurve, AlbedoPlot, AlbedoSpec};
 use crate::figure::palette::Palette;
 use crate::figure::samples::{Sample, value_at};
+use crate::geom::limits::MAX_THETA_I;
 use egui::{Sense, Vec2};
 use std::f64::consts::FRAC_PI_2;
-
-/// The light cannot be moved past the last degree.
-const MAX_THETA_I: f64 = 89.0 * std::f64::consts::PI / 180.0;
 
 /// Draws the tile.
 pub fn albedo_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {

@@ -14,6 +14,7 @@ use crate::figure::lobes::MAX_THETA_I;
 use crate::figure::page::Lobe3dSpec as Lobe3dView;
 use crate::figure::palette::Palette;
 use crate::figure::scale::RADIAL_SCALES;
+use crate::geom::limits::{MAX_THETA_I, MAX_THETA_I_DEG};
 use egui::{CursorIcon, PointerButton, Sense, Vec2};
 use glam::{DQuat, DVec3};
 use std::f64::consts::PI;
@@ -102,7 +103,7 @@ fn toolbar_ui(ui: &mut egui::Ui, view: &Lobe3dView, probed: Option<f64>, out: &m
         };
         ui.add_enabled_ui(probed.is_none(), |ui| {
             let angle = probed.unwrap_or(view.theta_i);
-            let range = 0.0..=MAX_THETA_I.to_degrees().floor();
+            let range = 0.0..=MAX_THETA_I_DEG;
             if let Some(angle) = controls::angle_ui(ui, "theta_i", help, angle, range) {
                 changed.theta_i = angle;
             }

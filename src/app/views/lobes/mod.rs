@@ -14,13 +14,11 @@ use crate::figure::Point;
 use crate::figure::lobes::{LobePlot, LobeSpec};
 use crate::figure::palette::Palette;
 use crate::figure::scale::{RADIAL_SCALES, RadialScale};
+use crate::geom::limits::MAX_THETA_I_DEG;
 use egui::{CursorIcon, PointerButton, Sense, Vec2};
 
 /// How near in points the pointer must be to a light's arrow to take it.
 const GRAB: f32 = 14.0;
-/// The light cannot be dragged past the last degree.
-const MAX_THETA_I: f64 = 89.0;
-
 /// Draws the tile.
 pub fn lobes_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
     let tile = &state.scene.lobes;
@@ -75,7 +73,7 @@ fn toolbar_ui(ui: &mut egui::Ui, tile: &LobeTile, out: &mut Vec<Msg>) {
         controls::symbol_ui(ui, "θ_{i}");
         for (index, theta_i) in tile.theta_i.iter().enumerate() {
             let name = format!("theta_i {}", index + 1);
-            let range = 0.0..=MAX_THETA_I;
+            let range = 0.0..=MAX_THETA_I_DEG;
             if let Some(angle) =
                 controls::angle_ui(ui, &name, "Angle of incidence", *theta_i, range)
             {
@@ -119,7 +117,7 @@ fn toolbar_ui(ui: &mut egui::Ui, tile: &LobeTile, out: &mut Vec<Msg>) {
 
 fn with_theta_i(tile: &LobeTile, index: usize, degrees: f64) -> LobeTile {
     let mut tile = tile.clone();
-    tile.theta_i[index] = degrees.clamp(0.0, MAX_THETA_I).to_radians();
+    tile.theta_i[index] = degrees.clamp(0.0, MAX_THETA_I_DEG).to_radians();
     tile.active = index;
     tile
 }
@@ -131,7 +129,7 @@ fn added(tile: &LobeTile) -> LobeTile {
         .iter()
         .map(|theta| theta.to_degrees())
         .collect();
-    stops.extend([0.0, MAX_THETA_I]);
+    stops.extend([0.0, MAX_THETA_I_DEG]);
     stops.sort_by(f64::total_cmp);
     let widest = stops
         .windows(2)

@@ -7,9 +7,8 @@ use crate::app::widgets::controls::sized_choice_ui;
 use crate::figure::scale::{RADIAL_SCALES, RadialScale};
 use crate::figure::slices::{OVERS, Over, RESIDUALS, Residual, SliceSpec};
 use crate::figure::subject::CHANNELS;
+use crate::geom::limits::MAX_THETA_I_DEG;
 
-/// The light cannot be moved past the last degree.
-const MAX_THETA_I: f64 = 89.0;
 /// How many slices over θo there may be.
 const MOST: usize = 5;
 
@@ -73,7 +72,7 @@ fn angles_ui(ui: &mut egui::Ui, spec: &mut SliceSpec, shown: &SliceSpec) {
     for (index, theta_i) in angles.into_iter().enumerate() {
         let name = format!("theta_i {}", index + 1);
         let help = "Angle of incidence; drag to change";
-        let range = 0.0..=MAX_THETA_I;
+        let range = 0.0..=MAX_THETA_I_DEG;
         if let Some(angle) = controls::angle_ui(ui, &name, help, theta_i, range)
             && let Some(to) = spec.theta_i.get_mut(index)
         {

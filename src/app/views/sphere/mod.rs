@@ -14,6 +14,7 @@ use crate::app::views::sphere::settings::{SHOWS, Show, SphereTile};
 use crate::app::views::sphere::sight::Sight;
 use crate::app::widgets::{probe, zoom};
 use crate::geom::HalfDiff;
+use crate::geom::limits::MAX_EXPOSURE_STOPS;
 use crate::geom::sphere::{
     LIGHT_PRESETS, highlight_of, light_for_highlight_at, local_directions, point_of,
 };
@@ -93,7 +94,7 @@ fn toolbar_ui(ui: &mut egui::Ui, state: &State, tile: &SphereTile, out: &mut Vec
         let label = ui.label("Exposure");
         let drag = egui::DragValue::new(&mut exposure)
             .speed(0.02)
-            .range(-10.0..=10.0)
+            .range(-MAX_EXPOSURE_STOPS..=MAX_EXPOSURE_STOPS)
             .suffix(" EV")
             .fixed_decimals(1);
         let response = ui
