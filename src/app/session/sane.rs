@@ -6,7 +6,6 @@ use crate::app::session::file::{
 };
 use crate::brdf::params::Param;
 use crate::brdf::{Fresnel, Model, params};
-use crate::figure::lobes::MAX_THETA_I;
 use crate::fit::options::default_bounds;
 use crate::fit::{STAGES, Stage};
 use crate::geom::limits::{MAX_EXPOSURE_STOPS, MAX_THETA_I};

@@ -10,7 +10,6 @@ use crate::app::state::subjects::Subjects;
 use crate::app::widgets::legend::legend_ui;
 use crate::app::widgets::{controls, paint, probe};
 use crate::figure::lobe3d::{Camera, Detail, Lobes, Overlay, Shape, pick};
-use crate::figure::lobes::MAX_THETA_I;
 use crate::figure::page::Lobe3dSpec as Lobe3dView;
 use crate::figure::palette::Palette;
 use crate::figure::scale::RADIAL_SCALES;
