@@ -12,6 +12,7 @@ use grazing::app::state::fitting::run::FitUpdates;
 use grazing::app::state::fitting::settings::Settings;
 use grazing::app::state::material::MaterialId;
 use grazing::app::state::material::Origin;
+use grazing::app::views::lobes::settings::LobeSettings;
 use grazing::brdf::{Brdf, Fresnel, ParamId};
 use grazing::figure::scale::RadialScale;
 use grazing::fit::{Ended, Errors, Outcome, ProblemError, Progress, Stage, Variant, Weight};
@@ -133,9 +134,15 @@ fn a_fit_is_one_step_whatever_is_edited_meanwhile() {
     run(&mut state, Command::Undo);
     // The scale that was chosen meanwhile is a step of its own.
     assert_eq!(shown(&state), before);
-    assert_eq!(state.scene.lobes.scale, RadialScale::Log);
+    assert_eq!(
+        state.scene.views.get::<LobeSettings>().scale,
+        RadialScale::Log
+    );
     run(&mut state, Command::Undo);
-    assert_eq!(state.scene.lobes.scale, RadialScale::CubeRoot);
+    assert_eq!(
+        state.scene.views.get::<LobeSettings>().scale,
+        RadialScale::CubeRoot
+    );
     assert!(!state.history.can_undo());
     assert_eq!(fits(&state), 1, "a fit is kept whatever the sliders show");
     run(&mut state, Command::Redo);

@@ -12,11 +12,12 @@ use grazing::app::command::Command;
 use grazing::app::msg::Msg;
 use grazing::app::state::prefs::Theme;
 use grazing::app::state::probe::Probe;
-use grazing::app::views::albedo::settings::MeasuredAlbedo;
-use grazing::app::views::albedo::settings::ModelAlbedo;
-use grazing::app::views::error_map::settings::ErrorMapQuery;
-use grazing::app::views::landscape::settings::LandscapeQuery;
+use grazing::app::views::albedo::work::MeasuredAlbedo;
+use grazing::app::views::albedo::work::ModelAlbedo;
+use grazing::app::views::error_map::work::ErrorMapQuery;
+use grazing::app::views::landscape::work::LandscapeQuery;
 use grazing::app::views::sphere::settings::Show;
+use grazing::app::views::sphere::settings::SphereSettings;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -149,11 +150,17 @@ fn a_turned_light_is_noticed() {
     }
     let mut window = window(Theme::Dark);
     let before = window.render().expect("a picture");
-    let mut sphere = window.state().state().scene.sphere.clone();
+    let mut sphere = window
+        .state()
+        .state()
+        .scene
+        .views
+        .get::<SphereSettings>()
+        .clone();
     let light = &mut sphere.view.lights[0].direction;
     *light = (*light + 0.05 * glam::DVec3::X).normalize();
     let ctx = window.ctx.clone();
-    window.state_mut().handle(&ctx, Msg::SetSphere(sphere));
+    window.state_mut().handle(&ctx, Msg::set_view(sphere));
     window.run_steps(4);
     let after = window.render().expect("a picture");
     let changed = before

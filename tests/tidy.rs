@@ -205,3 +205,138 @@ fn a_planted_arrow_backwards_is_caught() {
     assert!(!caught("geom", "// crate::brdf uses this"));
     assert!(!caught("brdf", "use crate::geom::Cosines;"));
 }
+
+/// The rooms of `app` in the order of their arrows: each may use those before it, and those beside it in its row only
+/// where it is the same room.
+const ROOMS: [&[&str]; 10] = [
+    &["guide"],
+    &["state"],
+    &["session"],
+    &["msg"],
+    &["lessons"],
+    &["command"],
+    &["reduce", "jobs", "widgets"],
+    &["views"],
+    &["paper"],
+    &["panels"],
+];
+
+/// The rank of a room; what is not in a room is the window itself, which may use all.
+fn rank_of(room: &str) -> usize {
+    let rank = ROOMS.iter().position(|rooms| rooms.contains(&room));
+    rank.unwrap_or(ROOMS.len())
+}
+
+/// The room of a path inside `app`, such as `views/lobes/mod.rs` or `views::lobes::settings`. The settings of a view are
+/// part of the state.
+fn room_of<'a>(path: &'a str, separator: &str) -> &'a str {
+    let mut parts = path.split(separator);
+    let room = parts.next().unwrap_or_default().trim_end_matches(".rs");
+    let inside = parts.nth(1).unwrap_or_default().trim_end_matches(".rs");
+    if room == "views" && inside == "settings" {
+        "state"
+    } else {
+        room
+    }
+}
+
+/// The arrows of a file of `app` that point to a room above it, one line each. `path` is inside `app`.
+fn upward_arrows(path: &str, text: &str) -> Vec<String> {
+    let room = room_of(path, "/");
+    // Tests may use the whole window.
+    let text = text
+        .split("#[cfg(test)]\nmod tests {")
+        .next()
+        .unwrap_or_default();
+    let code = text
+        .lines()
+        .map(|line| line.split("//").next().unwrap_or_default());
+    let mut found = Vec::new();
+    for (number, line) in code.enumerate() {
+        for (at, _) in line.match_indices("crate::app::") {
+            let rest = &line[at + "crate::app::".len()..];
+            let end = rest.find(|c: char| !(c.is_alphanumeric() || c == '_' || c == ':'));
+            let used = room_of(&rest[..end.unwrap_or(rest.len())], "::");
+            if used != room && rank_of(used) >= rank_of(room) && rank_of(room) < ROOMS.len() {
+                found.push(format!(
+                    "app/{path}:{}: {room} must not use {used}",
+                    number + 1
+                ));
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn arrows_between_the_rooms_of_app_point_one_way() {
+    let app = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/app");
+    let mut files = Vec::new();
+    rust_files(&app, &mut files);
+    let mut all = Vec::new();
+    for path in files {
+        let inside = path
+            .strip_prefix(&app)
+            .expect("inside")
+            .display()
+            .to_string();
+        if inside.contains("tests") {
+            continue;
+        }
+        let text = fs::read_to_string(&path).expect("a source file");
+        all.extend(upward_arrows(&inside, &text));
+        let relative = text.contains("use super::") && !text.contains("use super::*");
+        if relative {
+            all.push(format!("app/{inside}: name modules from the crate on"));
+        }
+    }
+    assert!(all.is_empty(), "\n{}", all.join("\n"));
+}
+
+#[test]
+fn the_state_knows_no_egui() {
+    let state = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/app/state");
+    let mut files = Vec::new();
+    rust_files(&state, &mut files);
+    for path in files {
+        // The tree of tiles is egui_tiles' own data; a thumbnail is a texture on the GPU.
+        let allowed = ["layout.rs", "layout_check.rs", "library/mod.rs"];
+        if allowed.iter().any(|name| path.ends_with(name)) {
+            continue;
+        }
+        let text = fs::read_to_string(&path).expect("a source file");
+        let mut lines = text
+            .lines()
+            .map(|line| line.split("//").next().unwrap_or_default());
+        let found = lines.find(|line| names(line, "egui") || names(line, "wgpu"));
+        assert_eq!(found, None, "{}", path.display());
+    }
+}
+
+#[test]
+fn a_planted_arrow_between_rooms_is_caught() {
+    let caught = |path: &str, text: &str| !upward_arrows(path, text).is_empty();
+    assert!(caught(
+        "state/mod.rs",
+        "use crate::app::views::lobes::lobes_ui;"
+    ));
+    assert!(caught(
+        "views/lobes/settings.rs",
+        "use crate::app::msg::Msg;"
+    ));
+    assert!(caught(
+        "reduce/fit.rs",
+        "fn f() { crate::app::jobs::start(); }"
+    ));
+    assert!(caught("msg/mod.rs", "use crate::app::command::ENTRIES;"));
+    assert!(!caught(
+        "state/views.rs",
+        "use crate::app::views::lobes::settings::LobeSettings;"
+    ));
+    assert!(!caught("panels/fit.rs", "use crate::app::views::fits;"));
+    assert!(!caught("mod.rs", "use crate::app::panels::menu;"));
+    assert!(!caught(
+        "reduce/fit.rs",
+        "#[cfg(test)]\nmod tests {\nuse crate::app::panels::x;"
+    ));
+}

@@ -9,7 +9,9 @@ use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 use grazing::app::state::notice::Dialog;
 use grazing::app::state::notice::Level;
+use grazing::app::views::lobes::settings::LobeSettings;
 use grazing::app::views::sphere::settings::Show;
+use grazing::app::views::sphere::settings::SphereSettings;
 use grazing::brdf::{Fresnel, ParamId};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -209,7 +211,16 @@ fn the_palette_finds_and_runs_commands() {
     window.run_steps(3);
     press(&mut window, Modifiers::NONE, Key::Enter);
     assert_eq!(window.state().state().dialog, None);
-    assert_eq!(window.state().state().scene.sphere.show, Show::SideBySide);
+    assert_eq!(
+        window
+            .state()
+            .state()
+            .scene
+            .views
+            .get::<SphereSettings>()
+            .show,
+        Show::SideBySide
+    );
 }
 
 #[test]
@@ -219,7 +230,17 @@ fn dragging_on_the_sphere_moves_its_light_and_hovering_reads_it() {
     }
     let mut window = window(vec![], vec![]);
     let rect = window.get_by_role_and_label(Role::Image, "Sphere").rect();
-    let lights = |window: &Window| window.state().state().scene.sphere.view.lights.clone();
+    let lights = |window: &Window| {
+        window
+            .state()
+            .state()
+            .scene
+            .views
+            .get::<SphereSettings>()
+            .view
+            .lights
+            .clone()
+    };
     let before = lights(&window);
     let at = |dx: f32, dy: f32| rect.center() + egui::vec2(dx, dy);
     window.hover_at(at(60.0, -50.0));
@@ -241,7 +262,14 @@ fn dragging_in_the_lobes_turns_the_light() {
         return;
     }
     let mut window = window(vec![], vec![]);
-    let before = window.state().state().scene.lobes.theta_i.clone();
+    let before = window
+        .state()
+        .state()
+        .scene
+        .views
+        .get::<LobeSettings>()
+        .theta_i
+        .clone();
     window.get_by_label("theta_i 1");
     let rect = window
         .get_by_role_and_label(Role::Image, "Polar lobes")
@@ -255,7 +283,13 @@ fn dragging_in_the_lobes_turns_the_light() {
         grazing::figure::lobes::LobePlot::new(&spec, &[], [rect.width(), rect.height()]).frame;
     let point = |theta: f64| rect.min + egui::Vec2::from(frame.at(theta, 1.0));
     drag(&mut window, &[point(-before[1]), point(-0.5)]);
-    let after = &window.state().state().scene.lobes.theta_i;
+    let after = &window
+        .state()
+        .state()
+        .scene
+        .views
+        .get::<LobeSettings>()
+        .theta_i;
     assert!(
         (after[1] - 0.5).abs() < 0.01 && after[0] == before[0],
         "{after:?}"

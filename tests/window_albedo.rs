@@ -11,8 +11,9 @@ use grazing::app::msg::Msg;
 use grazing::app::state::State;
 use grazing::app::state::subjects::Subjects;
 use grazing::app::state::views::ViewId;
-use grazing::app::views::albedo::settings::MeasuredAlbedo;
-use grazing::app::views::albedo::settings::curves;
+use grazing::app::views::albedo::settings::AlbedoSettings;
+use grazing::app::views::albedo::work::MeasuredAlbedo;
+use grazing::app::views::albedo::work::curves;
 use grazing::brdf;
 use grazing::figure::Channel;
 
@@ -89,14 +90,21 @@ fn the_probe_is_the_mirror_pair_at_the_angle() {
     let probe = window.state().state().probe().expect("a probe");
     assert!((35.0..60.0).contains(&probe.theta_i().to_degrees()));
     assert!((probe.theta_i() - probe.signed_theta_o()).abs() < 1e-9);
-    let mut view = window.state().state().scene.albedo.clone();
+    let mut view = window
+        .state()
+        .state()
+        .scene
+        .views
+        .get::<AlbedoSettings>()
+        .clone();
     view.spec.channel = Channel::B;
     let ctx = window.ctx.clone();
-    window
-        .state_mut()
-        .handle(&ctx, Msg::SetAlbedo(view.clone()));
+    window.state_mut().handle(&ctx, Msg::set_view(view.clone()));
     window.run_steps(3);
-    assert_eq!(window.state().state().scene.albedo, view);
+    assert_eq!(
+        *window.state().state().scene.views.get::<AlbedoSettings>(),
+        view
+    );
 }
 
 #[test]

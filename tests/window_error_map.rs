@@ -8,7 +8,8 @@ use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use grazing::app::command::Command;
 use grazing::app::state::views::ViewId;
-use grazing::app::views::error_map::settings::ErrorMapQuery;
+use grazing::app::views::error_map::settings::ErrorMapSettings;
+use grazing::app::views::error_map::work::ErrorMapQuery;
 use grazing::figure::error_map::Plane;
 use grazing::fit::Problem;
 
@@ -91,7 +92,13 @@ fn a_bin_under_the_pointer_is_the_probe() {
     assert!((across / up - 1.0).abs() < 1e-3);
     window.get_by_role_and_label(Role::Button, "θh, θd").click();
     window.run_steps(3);
-    let plane = window.state().state().scene.error_map.plane;
+    let plane = window
+        .state()
+        .state()
+        .scene
+        .views
+        .get::<ErrorMapSettings>()
+        .plane;
     assert_eq!(plane, Plane::HalfDiff);
     window.hover_at(rect.center());
     window.run_steps(2);

@@ -10,6 +10,8 @@ use grazing::app::command::Command;
 use grazing::app::msg::Msg;
 use grazing::app::state::probe::Probe;
 use grazing::app::state::views::ViewId;
+use grazing::app::views::image::settings::ImageSettings;
+use grazing::app::views::slices::settings::SliceSettings;
 use grazing::figure::heatmap::{HeatFrame, HeatMap};
 use grazing::figure::image_slice::Shown;
 use grazing::figure::subject::Source;
@@ -33,7 +35,7 @@ fn frame(window: &Window) -> HeatFrame {
     let (material, opened) = state.current().expect("a material");
     let measured = Source::Measured(material.table.clone(), state.scene.lookup);
     let model = Source::Model(opened.brdf);
-    let spec = state.scene.image.spec(None);
+    let spec = state.scene.views.get::<ImageSettings>().clone();
     let field = spec.field(Some(&measured), Some(&model));
     let heat = spec.heat_spec(&material.name, &field, &field);
     HeatMap::new(&heat, &field, rect(window).size().into()).frame
@@ -65,10 +67,16 @@ fn a_cell_under_the_pointer_is_the_probe() {
     window.run_steps(2);
     let probe = window.state().state().probe();
     assert!(probe.is_some(), "at φd = 90° all is above");
-    let mut view = window.state().state().scene.image.clone();
+    let mut view = window
+        .state()
+        .state()
+        .scene
+        .views
+        .get::<ImageSettings>()
+        .clone();
     view.phi_d = 0.0;
     let ctx = window.ctx.clone();
-    window.state_mut().handle(&ctx, Msg::SetImage(view));
+    window.state_mut().handle(&ctx, Msg::set_view(view));
     window.run_steps(3);
     assert_eq!(window.state().state().probe(), None);
 }
@@ -85,10 +93,25 @@ fn a_click_pins_and_a_probe_from_elsewhere_is_marked() {
     let pinned = window.state().state().pinned.expect("pinned");
     let angles = pinned.angles().expect("angles");
     assert!((angles.theta_d.to_degrees() - 40.0).abs() < 0.05);
-    let slices = &window.state().state().scene.slices.spec;
+    let slices = &window
+        .state()
+        .state()
+        .scene
+        .views
+        .get::<SliceSettings>()
+        .spec;
     assert!((slices.theta_h.to_degrees() - 30.0).abs() < 0.05);
     assert!((slices.theta_d.to_degrees() - 40.0).abs() < 0.05);
-    assert_eq!(slices.phi_d, window.state().state().scene.image.phi_d);
+    assert_eq!(
+        slices.phi_d,
+        window
+            .state()
+            .state()
+            .scene
+            .views
+            .get::<ImageSettings>()
+            .phi_d
+    );
     let ctx = window.ctx.clone();
     window.state_mut().handle(&ctx, Msg::Pin(None));
     window.hover_at(egui::pos2(3.0, 3.0));
@@ -126,15 +149,39 @@ fn settings_zoom_and_reset() {
     run(&mut window, Command::ToggleTile(ViewId::Sphere));
     window.get_by_role_and_label(Role::Button, "Ratio").click();
     window.run_steps(3);
-    assert_eq!(window.state().state().scene.image.shown, Shown::Ratio);
+    assert_eq!(
+        window
+            .state()
+            .state()
+            .scene
+            .views
+            .get::<ImageSettings>()
+            .shown,
+        Shown::Ratio
+    );
     run(&mut window, Command::Undo);
-    assert_eq!(window.state().state().scene.image.shown, Shown::Measured);
+    assert_eq!(
+        window
+            .state()
+            .state()
+            .scene
+            .views
+            .get::<ImageSettings>()
+            .shown,
+        Shown::Measured
+    );
     let at = [20.0, 50.0];
     let point = on_screen(&window, at);
     window.hover_at(point);
     window.step();
     wheel(&mut window, 200.0);
-    let view = window.state().state().scene.image.view;
+    let view = window
+        .state()
+        .state()
+        .scene
+        .views
+        .get::<ImageSettings>()
+        .view;
     assert!(view.x.1 - view.x.0 < 0.8, "{view:?}");
     // What was under the pointer still is.
     let now = on_screen(&window, at);

@@ -8,8 +8,8 @@ use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use grazing::app::command::Command;
 use grazing::app::state::views::ViewId;
-use grazing::app::views::landscape::settings::LandscapeQuery;
-use grazing::app::views::landscape::settings::path;
+use grazing::app::views::landscape::work::LandscapeQuery;
+use grazing::app::views::landscape::work::path;
 use grazing::brdf::ParamId;
 use grazing::fit::Problem;
 

@@ -20,6 +20,7 @@ use grazing::app::state::library::listing::SortKey;
 use grazing::app::state::material::Presence;
 use grazing::app::state::memory;
 use grazing::app::state::views::ViewId;
+use grazing::app::views::scatter::settings::ScatterSettings;
 use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
 use grazing::figure::palette::Role as ColorRole;
 use grazing::figure::scatter::{ScatterDot, ScatterPlot};
@@ -540,7 +541,7 @@ fn fitted_materials_are_dots_that_show_them() {
     };
     let dots = fits.each_ref().map(dot);
     let place = |window: &Window| {
-        let view = window.state().state().scene.scatter;
+        let view = window.state().state().scene.views.get::<ScatterSettings>();
         let plot = ScatterPlot::new(&dots, view.window, [rect.width(), rect.height()]);
         rect.min + egui::Vec2::from(plot.places[1].expect("a place"))
     };
@@ -549,7 +550,7 @@ fn fitted_materials_are_dots_that_show_them() {
     window.hover_at(at);
     window.run_steps(2);
     wheel(&mut window, 120.0);
-    let view = window.state().state().scene.scatter;
+    let view = window.state().state().scene.views.get::<ScatterSettings>();
     let [low, high] = view.window.expect("a part");
     assert!(low > 10.0 && high < 1e4, "{low} {high}");
     assert!((place(&window) - at).length() < 0.5);

@@ -11,7 +11,7 @@ use grazing::app::command::Command;
 use grazing::app::msg::Msg;
 use grazing::app::state::probe::Probe;
 use grazing::app::state::views::ViewId;
-use grazing::app::views::lobe3d::settings::Lobe3dView;
+use grazing::app::views::lobe3d::settings::Lobe3dSettings;
 use grazing::figure::lobe3d::Camera;
 use grazing::figure::scale::RadialScale;
 use grazing::geom::direction;
@@ -41,8 +41,8 @@ fn rect(window: &Window) -> Rect {
     window.get_by_role_and_label(Role::Image, "3D lobe").rect()
 }
 
-fn view(window: &Window) -> Lobe3dView {
-    window.state().state().scene.lobe3d
+fn view(window: &Window) -> Lobe3dSettings {
+    *window.state().state().scene.views.get::<Lobe3dSettings>()
 }
 
 /// The picture of the tile.
@@ -142,11 +142,11 @@ fn settings_change_the_picture() {
     }
     let mut window = opened();
     let before = pixels(&mut window);
-    let logarithmic = Lobe3dView {
+    let logarithmic = Lobe3dSettings {
         scale: RadialScale::Log,
         ..view(&window)
     };
-    send(&mut window, Msg::SetLobe3d(logarithmic));
+    send(&mut window, Msg::set_view(logarithmic));
     let changed = pixels(&mut window);
     assert!(differing(&before, &changed) > 2000);
     send(&mut window, Msg::Run(Command::Undo));

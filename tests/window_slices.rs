@@ -11,7 +11,7 @@ use grazing::app::command::Command;
 use grazing::app::msg::Msg;
 use grazing::app::state::probe::Probe;
 use grazing::app::state::views::ViewId;
-use grazing::app::views::slices::settings::SlicesView;
+use grazing::app::views::slices::settings::SliceSettings;
 use grazing::figure::slices::{Over, Residual};
 
 fn opened() -> Window {
@@ -31,15 +31,21 @@ fn has_plot(window: &Window) -> bool {
         .is_some()
 }
 
-fn view(window: &Window) -> SlicesView {
-    window.state().state().scene.slices.clone()
+fn view(window: &Window) -> SliceSettings {
+    window
+        .state()
+        .state()
+        .scene
+        .views
+        .get::<SliceSettings>()
+        .clone()
 }
 
-fn set(window: &mut Window, change: impl Fn(&mut SlicesView)) {
+fn set(window: &mut Window, change: impl Fn(&mut SliceSettings)) {
     let mut view = view(window);
     change(&mut view);
     let ctx = window.ctx.clone();
-    window.state_mut().handle(&ctx, Msg::SetSlices(view));
+    window.state_mut().handle(&ctx, Msg::set_view(view));
     window.run_steps(3);
 }
 

@@ -10,6 +10,8 @@ use egui_kittest::kittest::Queryable;
 use grazing::app::command::Command;
 use grazing::app::state::subject_key::What;
 use grazing::app::state::views::ViewId;
+use grazing::app::views::lobes::settings::LobeSettings;
+use grazing::app::views::sphere::settings::SphereSettings;
 
 #[test]
 fn a_click_pins_the_probe_and_copies_its_row() {
@@ -56,7 +58,15 @@ fn the_wheel_enlarges_the_sphere_around_the_pointer() {
     let at = rect.center() + egui::vec2(20.0, -30.0);
     window.hover_at(at);
     window.run_steps(2);
-    let sight = |window: &Window| window.state().state().scene.sphere.sight;
+    let sight = |window: &Window| {
+        window
+            .state()
+            .state()
+            .scene
+            .views
+            .get::<SphereSettings>()
+            .sight
+    };
     let probe = |window: &Window| window.state().state().probe().expect("a probe");
     let before = probe(&window);
     wheel(&mut window, 240.0);
@@ -155,7 +165,13 @@ fn the_wheel_zooms_the_lobes_and_a_double_click_puts_them_back() {
             modifiers: Modifiers::NONE,
         });
         window.run_steps(12);
-        let limits = window.state().state().scene.lobes.limits;
+        let limits = window
+            .state()
+            .state()
+            .scene
+            .views
+            .get::<LobeSettings>()
+            .limits;
         limits.expect("limits")[1]
     };
     let near = wheel(&mut window, 120.0);
@@ -168,7 +184,8 @@ fn the_wheel_zooms_the_lobes_and_a_double_click_puts_them_back() {
             .state()
             .state()
             .scene
-            .lobes
+            .views
+            .get::<grazing::figure::lobes::LobeSpec>()
             .limits
             .map(|ends| ends[1]),
         Some(near)
@@ -180,6 +197,6 @@ fn the_wheel_zooms_the_lobes_and_a_double_click_puts_them_back() {
     }
     window.run_steps(3);
     let state = window.state().state();
-    assert_eq!(state.scene.lobes.limits, None);
+    assert_eq!(state.scene.views.get::<LobeSettings>().limits, None);
     assert_eq!(state.pinned, None, "the second click lets go");
 }

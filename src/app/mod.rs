@@ -1,4 +1,5 @@
-//! The window: egui over the state. Panels read the state and push messages; [`update::apply`] changes it.
+//! The window: egui over the state. Panels and views read the state and push messages; [`reduce::apply`] changes it.
+
 pub mod command;
 pub mod guide;
 pub mod jobs;

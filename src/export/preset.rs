@@ -55,7 +55,7 @@ pub static PRESETS: [Preset; 10] = [
                 ViewSpec::Sphere(SphereSpec {
                     view: b.options.view.clone(),
                     show: SphereShow::Split,
-                    split: 0.0,
+                    ..SphereSpec::default()
                 })
             })
         },
@@ -322,7 +322,7 @@ impl Builder<'_> {
                 view: ViewSpec::Sphere(SphereSpec {
                     view: self.options.view.clone(),
                     show,
-                    split: 0.0,
+                    ..SphereSpec::default()
                 }),
             };
             let lobes = |subjects: Vec<usize>| PanelSpec {

@@ -4,7 +4,7 @@ use super::error::ExportError;
 use super::prepare::Prepared;
 use super::spec::{FigureSpec, spec_beside};
 use crate::figure::page::{Page, only_sphere};
-use crate::figure::sphere_image::render;
+use crate::figure::sphere_image::render_part;
 use crate::figure::write::{pdf, raster, svg};
 use crate::files::{self, write_atomically};
 use serde::{Deserialize, Serialize};
@@ -96,11 +96,11 @@ impl Format {
 /// The only sphere of a figure, as many pixels wide as the page at this resolution.
 fn exr(spec: &FigureSpec, prepared: &Prepared, dpi: f64) -> Result<Vec<u8>, String> {
     const MOST: f64 = 8192.0;
-    let Some((source, view)) = only_sphere(&spec.page(), &prepared.subjects) else {
+    let Some((source, view, sight)) = only_sphere(&spec.page(), &prepared.subjects) else {
         return Err("EXR holds one sphere and nothing else; choose a sphere alone, or PNG".into());
     };
     let size = (spec.style.width_mm / 25.4 * dpi).round().clamp(1.0, MOST);
-    let picture = render(&source, &view, size as usize);
+    let picture = render_part(&source, &view, sight, size as usize);
     let mut bytes = Cursor::new(Vec::new());
     picture
         .write_exr(&mut bytes)

@@ -6,7 +6,7 @@ mod bar;
 mod render;
 
 pub use bar::{error_names, error_ticks, error_unit};
-pub use render::{LinearImage, SAMPLES_A_SIDE, render};
+pub use render::{LinearImage, SAMPLES_A_SIDE, render, render_part};
 
 use super::colormap::ColorMap;
 use super::subject::Source;

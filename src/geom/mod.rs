@@ -9,6 +9,7 @@ pub mod degrees;
 pub mod directions;
 pub mod half_diff;
 pub mod limits;
+pub mod sight;
 pub mod sphere;
 pub mod sphere_error;
 

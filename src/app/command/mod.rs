@@ -4,75 +4,15 @@ pub mod entries;
 pub mod folder_entries;
 pub mod paper_entries;
 
+pub use crate::app::msg::command::Command;
+
 use crate::app::state::State;
-use crate::app::state::prefs::Theme;
-use crate::app::state::views::ViewId;
-use crate::app::views::sphere::settings::Show;
-use crate::brdf::fresnel::Fresnel;
-use crate::figure::scale::RadialScale;
-use crate::files::ModelFormat;
-use crate::fit::Weight;
+use crate::app::views::lobes::settings::LobeSettings;
+use crate::app::views::sphere::settings::SphereSettings;
 use crate::geom::sphere::LIGHT_PRESETS;
 use crate::measured::lookup::Lookup;
 use egui::KeyboardShortcut;
 use std::sync::LazyLock;
-
-/// Something a person can ask for.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[expect(missing_docs, reason = "the rows below say what each one does")]
-pub enum Command {
-    Open,
-    OpenPath,
-    OpenFolder,
-    CloseFolder,
-    FitFolder,
-    FitFolderAll,
-    CancelFitFolder,
-    SaveFits,
-    OpenSample(usize),
-    OpenRecent(usize),
-    ClearRecent,
-    Close,
-    ExportModel(ModelFormat),
-    ExportFigure,
-    SaveSession,
-    SaveSessionAs,
-    SavePicture,
-    Quit,
-    Undo,
-    Redo,
-    Copy,
-    CopyPicture,
-    CopyNumbers,
-    CopyProbe,
-    Unpin,
-    CopyParams,
-    GuessParams,
-    ResetParams,
-    UseModel(usize),
-    UseFresnel(Fresnel),
-    Fit,
-    FitAll,
-    CancelFit,
-    ToggleKeepOptimal,
-    ToggleFromSliders,
-    UseWeight(Weight),
-    NextMaterial,
-    PreviousMaterial,
-    UseShow(Show),
-    UseLights(usize),
-    UseScale(RadialScale),
-    ToggleCosine,
-    ToggleRaw,
-    UseTheme(Theme),
-    ToggleTile(ViewId),
-    ResetLayout,
-    Palette,
-    Lesson(usize),
-    Guide,
-    Conventions,
-    About,
-}
 
 /// Where a command stands in the menu bar. A second word is a submenu.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -165,12 +105,12 @@ impl Command {
             Self::ToggleKeepOptimal => state.fit.keep_optimal,
             Self::ToggleFromSliders => state.fit.settings.from_sliders,
             Self::UseWeight(weight) => state.fit.settings.weight == weight,
-            Self::UseShow(show) => scene.sphere.show == show,
-            Self::UseLights(index) => LIGHT_PRESETS
-                .get(index)
-                .is_some_and(|preset| (preset.lights)() == scene.sphere.view.lights),
-            Self::UseScale(scale) => scene.lobes.scale == scale,
-            Self::ToggleCosine => scene.lobes.with_cosine,
+            Self::UseShow(show) => scene.views.get::<SphereSettings>().show == show,
+            Self::UseLights(index) => LIGHT_PRESETS.get(index).is_some_and(|preset| {
+                (preset.lights)() == scene.views.get::<SphereSettings>().view.lights
+            }),
+            Self::UseScale(scale) => scene.views.get::<LobeSettings>().scale == scale,
+            Self::ToggleCosine => scene.views.get::<LobeSettings>().with_cosine,
             Self::ToggleRaw => scene.lookup == Lookup::Nearest,
             Self::ToggleTile(pane) => state.tiles.is_open(pane),
             Self::UseTheme(theme) => state.prefs.theme == theme,

@@ -1,14 +1,15 @@
 //! Messages: what happened; and tasks: what is to be done outside the state.
 pub mod cache;
+pub mod command;
 pub mod figure;
 pub mod fit;
 pub mod library;
 pub mod session;
 pub mod work;
 
-use crate::app::command::Command;
 use crate::app::guide::GuideAt;
 use crate::app::msg::cache::CacheMsg;
+use crate::app::msg::command::Command;
 use crate::app::msg::figure::{FigureMsg, FigureTask};
 use crate::app::msg::fit::{FitMsg, FitTask, RefitAmplitudes};
 use crate::app::msg::library::{LibraryMsg, LibraryTask};
@@ -20,16 +21,8 @@ use crate::app::state::material::Origin;
 use crate::app::state::notice::Level;
 use crate::app::state::probe::Probe;
 use crate::app::state::subject_key::SubjectKey;
-use crate::app::views::albedo::settings::AlbedoView;
-use crate::app::views::error_map::settings::ErrorMapView;
-use crate::app::views::image::settings::ImageView;
-use crate::app::views::landscape::settings::LandscapeView;
-use crate::app::views::lobes::settings::LobeTile;
-use crate::app::views::scatter::settings::ScatterView;
-use crate::app::views::slices::settings::SlicesView;
-use crate::app::views::sphere::settings::SphereTile;
+use crate::app::state::view_settings::{AnySettings, Settings};
 use crate::brdf::{Brdf, ParamId};
-use crate::figure::page::Lobe3dSpec as Lobe3dView;
 use crate::files::fits::MaterialFits;
 use crate::files::{ModelFormat, SourceFile};
 use crate::fit::initial_guess;
@@ -89,24 +82,8 @@ pub enum Msg {
     Library(LibraryMsg),
     /// Something about sessions.
     Session(SessionMsg),
-    /// Change the sphere tile.
-    SetSphere(SphereTile),
-    /// Change the lobe tile.
-    SetLobes(LobeTile),
-    /// Change the slices.
-    SetSlices(SlicesView),
-    /// Change the albedo plot.
-    SetAlbedo(AlbedoView),
-    /// Change the tile of lobes in space.
-    SetLobe3d(Lobe3dView),
-    /// Change the image slice.
-    SetImage(ImageView),
-    /// Change the error map.
-    SetErrorMap(ErrorMapView),
-    /// Change the error landscape.
-    SetLandscape(LandscapeView),
-    /// Change the scatter of the materials.
-    SetScatter(ScatterView),
+    /// Set what a view shows.
+    SetView(AnySettings),
     /// The tiles were moved.
     SetLayout(Tiles),
     /// Lay this model over the shown material, with the best ρ_d and k_s once they are found.
@@ -131,6 +108,13 @@ pub enum Msg {
     Dismiss(u64),
     /// No button and no key is held: the gesture is over.
     Settle,
+}
+
+impl Msg {
+    /// Sets what a view shows.
+    pub fn set_view(settings: impl Settings) -> Self {
+        Self::SetView(AnySettings::new(settings))
+    }
 }
 
 /// What a loading job brings.

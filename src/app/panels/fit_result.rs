@@ -2,11 +2,11 @@
 
 use crate::app::msg::Msg;
 use crate::app::msg::fit::FitMsg;
-use crate::app::panels::fit_details;
-use crate::app::panels::fit_details::hundredths;
 use crate::app::state::State;
 use crate::app::state::fitting::kept::{KeptFit, variant_name};
 use crate::app::state::fitting::run::{Part, Run};
+use crate::app::widgets::fit_details;
+use crate::app::widgets::formula::hundredths;
 use crate::app::widgets::paint;
 use crate::app::widgets::paint::rich_text_job;
 use crate::figure::palette::Palette;

@@ -1,11 +1,11 @@
 //! A row per stage of the fit: its tick, what it moves, and what it came to.
 
-use crate::app::panels::fit_details;
-use crate::app::panels::fit_details::hundredths;
 use crate::app::panels::fit_result::shown_part;
 use crate::app::state::State;
 use crate::app::state::fitting::run::stage_ends;
 use crate::app::state::fitting::settings::Settings;
+use crate::app::widgets::fit_details;
+use crate::app::widgets::formula::hundredths;
 use crate::app::widgets::formula::number;
 use crate::app::widgets::paint;
 use crate::app::widgets::paint::rich_text_job;

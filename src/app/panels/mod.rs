@@ -3,7 +3,6 @@
 pub mod dialogs;
 pub mod figure;
 pub mod fit;
-pub mod fit_details;
 pub mod fit_result;
 pub mod fit_stages;
 pub mod guide;

@@ -5,13 +5,21 @@ use crate::app::state::material::{Material, Opened, Origin};
 use crate::app::state::subject_key::What;
 use crate::app::state::subjects::Subjects;
 use crate::app::state::views::ViewId;
-use crate::app::views::landscape::settings::{path, place};
+use crate::app::views::albedo::settings::AlbedoSettings;
+use crate::app::views::error_map::settings::ErrorMapSettings;
+use crate::app::views::image::settings::ImageSettings;
+use crate::app::views::landscape::settings::LandscapeSettings;
+use crate::app::views::landscape::work::{path, place};
+use crate::app::views::lobe3d::settings::Lobe3dSettings;
+use crate::app::views::lobes::settings::LobeSettings;
+use crate::app::views::lobes::settings::drawable;
 use crate::app::views::scatter::combined_fits;
+use crate::app::views::slices::settings::SliceSettings;
 use crate::app::views::slices::settings::through;
 use crate::app::views::sphere::settings::Show;
+use crate::app::views::sphere::settings::SphereSettings;
 use crate::brdf::Fresnel;
 use crate::export::{FigureSpec, SubjectLook, SubjectSource, SubjectSpec};
-use crate::figure::lobes::LobeSpec;
 use crate::figure::page::{
     ErrorMapSpec, LandscapePanel, Lobe3dSpec, PageSpec, PanelSpec, RowSpec, SphereShow, SphereSpec,
     Style, ViewSpec,
@@ -134,15 +142,17 @@ impl<'a> Maker<'a> {
         };
         match pane {
             ViewId::Sphere => {
+                let settings = scene.views.get::<SphereSettings>();
                 let sphere = |show| {
                     let spec = SphereSpec {
-                        view: scene.sphere.view.clone(),
+                        view: settings.view.clone(),
                         show,
-                        split: scene.sphere.split,
+                        split: settings.split,
+                        sight: settings.sight,
                     };
                     of(ViewSpec::Sphere(spec), &shown)
                 };
-                let shows = match scene.sphere.show {
+                let shows = match settings.show {
                     Show::Measured => vec![SphereShow::Measured],
                     Show::Model => vec![SphereShow::Model],
                     Show::Split => vec![SphereShow::Split],
@@ -152,29 +162,21 @@ impl<'a> Maker<'a> {
                 shows.into_iter().map(sphere).collect()
             }
             ViewId::Lobes => {
-                let tile = &scene.lobes;
-                let spec = LobeSpec {
-                    theta_i: tile.theta_i.clone(),
-                    active: tile.active,
-                    scale: tile.scale,
-                    with_cosine: tile.with_cosine,
-                    channel: tile.channel,
-                    ..LobeSpec::default()
-                };
+                let spec = drawable(scene.views.get(), None);
                 vec![of(ViewSpec::Lobes(spec), &self.plotted)]
             }
             ViewId::Slices => {
-                let view = &scene.slices;
+                let view = scene.views.get::<SliceSettings>();
                 let probe = self.state.probe().filter(|_| view.follow);
                 let spec = probe.map_or_else(|| view.spec.clone(), |p| through(&view.spec, p));
                 vec![of(ViewSpec::Slices(spec), &self.plotted)]
             }
             ViewId::Albedo => {
-                let spec = scene.albedo.spec.clone();
+                let spec = scene.views.get::<AlbedoSettings>().spec.clone();
                 vec![of(ViewSpec::Albedo(spec), &self.plotted)]
             }
             ViewId::Lobe3d => {
-                let view = &scene.lobe3d;
+                let view = scene.views.get::<Lobe3dSettings>();
                 let spec = Lobe3dSpec {
                     theta_i: self.state.probe().map_or(view.theta_i, |p| p.theta_i()),
                     ..*view
@@ -182,11 +184,14 @@ impl<'a> Maker<'a> {
                 vec![of(ViewSpec::Lobe3d(spec), &self.plotted)]
             }
             ViewId::Image => {
-                let spec = scene.image.spec(None);
+                let spec = scene.views.get::<ImageSettings>().clone();
                 vec![of(ViewSpec::ImageSlice(spec), &shown)]
             }
             ViewId::ErrorMap => {
-                let (view, settings) = (&scene.error_map, &self.state.fit.settings);
+                let (view, settings) = (
+                    scene.views.get::<ErrorMapSettings>(),
+                    &self.state.fit.settings,
+                );
                 let spec = ErrorMapSpec {
                     plane: view.plane,
                     scale: view.scale,
@@ -204,7 +209,7 @@ impl<'a> Maker<'a> {
 
     fn landscape(&self) -> LandscapePanel {
         let (brdf, settings) = (self.opened.brdf, &self.state.fit.settings);
-        let view = &self.state.scene.landscape;
+        let view = self.state.scene.views.get::<LandscapeSettings>();
         let solved = view.solve_eta && brdf.fresnel != Fresnel::None;
         LandscapePanel {
             fresnel: brdf.fresnel.key().into(),
@@ -268,11 +273,11 @@ pub fn default_name(state: &State, panes: &[ViewId]) -> String {
             words.push(pane.about().key.into());
             match pane {
                 ViewId::Lobes => {
-                    words.push(angles(&scene.lobes.theta_i));
-                    words.extend([model, scene.lobes.scale.key().into()]);
+                    words.push(angles(&scene.views.get::<LobeSettings>().theta_i));
+                    words.extend([model, scene.views.get::<LobeSettings>().scale.key().into()]);
                 }
                 ViewId::Slices => {
-                    let spec = &scene.slices.spec;
+                    let spec = &scene.views.get::<SliceSettings>().spec;
                     words.push(match spec.over {
                         crate::figure::slices::Over::ThetaO => angles(&spec.theta_i),
                         over => over.key().into(),
@@ -280,11 +285,14 @@ pub fn default_name(state: &State, panes: &[ViewId]) -> String {
                     words.extend([model, spec.scale.key().into()]);
                 }
                 ViewId::Lobe3d => {
-                    words.push(angles(&[scene.lobe3d.theta_i]));
-                    words.extend([model, scene.lobe3d.scale.key().into()]);
+                    words.push(angles(&[scene.views.get::<Lobe3dSettings>().theta_i]));
+                    words.extend([
+                        model,
+                        scene.views.get::<Lobe3dSettings>().scale.key().into(),
+                    ]);
                 }
                 ViewId::Image => {
-                    let view = &scene.image;
+                    let view = scene.views.get::<ImageSettings>();
                     words.push(format!("phd{:.0}", view.phi_d.to_degrees()));
                     words.push(view.shown.key().into());
                     words.extend([model, view.scale.key().into()]);

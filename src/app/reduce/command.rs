@@ -13,6 +13,8 @@ use crate::app::state::fitting::settings::Settings;
 use crate::app::state::layout::Tiles;
 use crate::app::state::material::Origin;
 use crate::app::state::notice::Dialog;
+use crate::app::views::lobes::settings::LobeSettings;
+use crate::app::views::sphere::settings::SphereSettings;
 use crate::brdf::{Brdf, Fresnel, MODELS, Model};
 use crate::geom::sphere::LIGHT_PRESETS;
 use crate::measured::lookup::Lookup;
@@ -114,15 +116,20 @@ pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
             let fits = state.library.folder_fits().cloned().collect();
             return vec![Task::Library(LibraryTask::Save(fits))];
         }
-        Command::UseShow(show) => edit(state, |scene| scene.sphere.show = show),
+        Command::UseShow(show) => edit(state, |scene| {
+            scene.views.get_mut::<SphereSettings>().show = show
+        }),
         Command::UseLights(index) => edit(state, |scene| {
             if let Some(preset) = LIGHT_PRESETS.get(index) {
-                scene.sphere.view.lights = (preset.lights)();
+                scene.views.get_mut::<SphereSettings>().view.lights = (preset.lights)();
             }
         }),
-        Command::UseScale(scale) => edit(state, |scene| scene.lobes.scale = scale),
+        Command::UseScale(scale) => edit(state, |scene| {
+            scene.views.get_mut::<LobeSettings>().scale = scale
+        }),
         Command::ToggleCosine => edit(state, |scene| {
-            scene.lobes.with_cosine = !scene.lobes.with_cosine;
+            scene.views.get_mut::<LobeSettings>().with_cosine =
+                !scene.views.get::<LobeSettings>().with_cosine;
         }),
         Command::ToggleRaw => edit(state, |scene| {
             scene.lookup = if scene.lookup == Lookup::Nearest {

@@ -9,6 +9,8 @@ use crate::app::state::State;
 use crate::app::state::fitting::settings::Settings;
 use crate::app::state::lesson::LessonAt;
 use crate::app::state::material::Origin;
+use crate::app::views::lobes::settings::LobeSettings;
+use crate::app::views::sphere::settings::SphereSettings;
 use crate::brdf::Model;
 use crate::geom::sphere::LIGHT_PRESETS;
 use crate::measured::samples::SAMPLES;
@@ -96,16 +98,21 @@ fn perform_one(state: &mut State, set: Set) -> Vec<Task> {
             return apply(state, Msg::SetParam { id, channel, value });
         }
         Set::Angles(degrees, active) => edit(state, |scene| {
-            scene.lobes.theta_i = degrees.iter().map(|theta| theta.to_radians()).collect();
-            scene.lobes.active = active;
+            scene.views.get_mut::<LobeSettings>().theta_i =
+                degrees.iter().map(|theta| theta.to_radians()).collect();
+            scene.views.get_mut::<LobeSettings>().active = active;
         }),
-        Set::Scale(scale) => edit(state, |scene| scene.lobes.scale = scale),
+        Set::Scale(scale) => edit(state, |scene| {
+            scene.views.get_mut::<LobeSettings>().scale = scale
+        }),
         Set::Lights(index) => edit(state, |scene| {
             if let Some(preset) = LIGHT_PRESETS.get(index) {
-                scene.sphere.view.lights = (preset.lights)();
+                scene.views.get_mut::<SphereSettings>().view.lights = (preset.lights)();
             }
         }),
-        Set::Sphere(show) => edit(state, |scene| scene.sphere.show = show),
+        Set::Sphere(show) => edit(state, |scene| {
+            scene.views.get_mut::<SphereSettings>().show = show
+        }),
         Set::Tile(pane) => state.tiles.show(pane),
         Set::Stages(stages, from_sliders) => {
             state.fit.settings = Settings {

@@ -57,7 +57,6 @@ pub(crate) fn open(state: &mut State, job: u64, path: &Path, found: Found) -> Ve
 
 /// The scene of a session, and nothing where there was one before.
 fn scene_of(session: &SessionFile, ids: &[MaterialId], number: u64) -> Scene {
-    let views = session.views.clone();
     let opened = session.materials.iter().zip(ids);
     Scene {
         session: number,
@@ -76,15 +75,7 @@ fn scene_of(session: &SessionFile, ids: &[MaterialId], number: u64) -> Scene {
             .filter_map(|key| subject_key(key, ids))
             .collect(),
         lookup: session.lookup,
-        sphere: views.sphere,
-        lobes: views.lobes,
-        slices: views.slices,
-        albedo: views.albedo,
-        lobe3d: views.lobe3d,
-        image: views.image,
-        error_map: views.error_map,
-        landscape: views.landscape,
-        scatter: views.scatter,
+        views: session.views.clone(),
     }
 }
 

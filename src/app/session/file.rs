@@ -2,17 +2,9 @@
 
 use crate::app::state::fitting::kept::SortBy;
 use crate::app::state::layout::Tiles;
-use crate::app::views::albedo::settings::AlbedoView;
-use crate::app::views::error_map::settings::ErrorMapView;
-use crate::app::views::image::settings::ImageView;
-use crate::app::views::landscape::settings::LandscapeView;
-use crate::app::views::lobes::settings::LobeTile;
-use crate::app::views::scatter::settings::ScatterView;
-use crate::app::views::slices::settings::SlicesView;
-use crate::app::views::sphere::settings::SphereTile;
+use crate::app::state::settings_map::SettingsMap;
 use crate::brdf;
 use crate::brdf::{Brdf, params};
-use crate::figure::page::Lobe3dSpec as Lobe3dView;
 use crate::files::fits;
 use crate::files::fits::FitRecord;
 use crate::files::session::SavedSource;
@@ -53,7 +45,7 @@ pub struct SessionFile {
     /// Whether the channels of a colour move as one.
     pub grey: Grey,
     /// What the tiles are set to.
-    pub views: Views,
+    pub views: SettingsMap,
     /// What the next fit is asked.
     pub fit: SavedFitting,
     /// The pinned pair of directions.
@@ -169,21 +161,6 @@ pub struct Grey {
     pub rho_d: bool,
     /// Those of k_s.
     pub k_s: bool,
-}
-
-/// What the tiles are set to.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "each is the view of that name")]
-pub struct Views {
-    pub sphere: SphereTile,
-    pub lobes: LobeTile,
-    pub slices: SlicesView,
-    pub albedo: AlbedoView,
-    pub lobe3d: Lobe3dView,
-    pub image: ImageView,
-    pub error_map: ErrorMapView,
-    pub landscape: LandscapeView,
-    pub scatter: ScatterView,
 }
 
 /// What the next fit is asked, and how the table of fits is ordered.

@@ -1,10 +1,12 @@
 //! From the text of a session to its data. What is not understood is left out and spoken about, the rest is taken.
 
 use crate::app::session::differences::differences;
-use crate::app::session::file::{SavedBrdf, SavedFit, SavedMaterial, SessionFile, VERSION, Views};
+use crate::app::session::file::{SavedBrdf, SavedFit, SavedMaterial, SessionFile, VERSION};
 use crate::app::session::sane;
 use crate::app::state::Scene;
 use crate::app::state::layout::Tiles;
+use crate::app::state::settings_map::SettingsMap;
+use crate::app::state::views::VIEWS;
 use crate::brdf::{Brdf, Fresnel, MODELS, Params};
 use crate::files::session::KEY;
 use serde::de::DeserializeOwned;
@@ -69,7 +71,12 @@ impl Reader {
     }
 
     fn understood<T: DeserializeOwned>(&mut self, value: &Value, at: String) -> Option<T> {
-        match T::deserialize(value) {
+        self.taken(T::deserialize(value), at)
+    }
+
+    /// What was read, or a remark that it was not understood.
+    fn taken<T>(&mut self, read: serde_json::Result<T>, at: String) -> Option<T> {
+        match read {
             Ok(part) => Some(part),
             Err(error) => {
                 self.remarks
@@ -119,8 +126,6 @@ impl Reader {
 
     fn session(&mut self, given: &Value, materials: Vec<SavedMaterial>) -> SessionFile {
         let usual = Scene::default();
-        let empty = Value::Null;
-        let views = given.get("views").unwrap_or(&empty);
         let mut text = |key: &str| self.part(given, "", key, String::new());
         let (program, version) = (text("program"), text("version"));
         let layout: Option<Tiles> = self.part(given, "", "layout", None);
@@ -135,21 +140,26 @@ impl Reader {
             hidden: self.part(given, "", "hidden", Vec::new()),
             lookup: self.part(given, "", "lookup", usual.lookup),
             grey: self.part(given, "", "grey", Default::default()),
-            views: Views {
-                sphere: self.part(views, "views", "sphere", usual.sphere),
-                lobes: self.part(views, "views", "lobes", usual.lobes),
-                slices: self.part(views, "views", "slices", usual.slices),
-                albedo: self.part(views, "views", "albedo", usual.albedo),
-                lobe3d: self.part(views, "views", "lobe3d", usual.lobe3d),
-                image: self.part(views, "views", "image", usual.image),
-                error_map: self.part(views, "views", "error_map", usual.error_map),
-                landscape: self.part(views, "views", "landscape", usual.landscape),
-                scatter: self.part(views, "views", "scatter", usual.scatter),
-            },
+            views: self.views(given),
             fit: self.part(given, "", "fit", Default::default()),
             probe: self.part(given, "", "probe", None),
             layout,
         }
+    }
+
+    fn views(&mut self, given: &Value) -> SettingsMap {
+        let mut all = SettingsMap::default();
+        for about in VIEWS {
+            let key = about.session_key();
+            let value = given.get("views").and_then(|views| views.get(&key));
+            let (Some(kind), Some(value)) = (about.settings, value) else {
+                continue;
+            };
+            if let Some(settings) = self.taken(kind.read(value), join("views", &key)) {
+                all.set(settings);
+            }
+        }
+        all
     }
 
     /// Says what was out of range, and which keys are not known.

@@ -11,7 +11,16 @@ use crate::app::state::material::{Material, MaterialId, Opened, Origin, Presence
 use crate::app::state::probe::Probe;
 use crate::app::state::subject_key::{SubjectKey, What};
 use crate::app::state::views::ViewId;
+use crate::app::views::albedo::settings::AlbedoSettings;
+use crate::app::views::error_map::settings::ErrorMapSettings;
+use crate::app::views::image::settings::ImageSettings;
+use crate::app::views::landscape::settings::LandscapeSettings;
+use crate::app::views::lobe3d::settings::Lobe3dSettings;
+use crate::app::views::lobes::settings::LobeSettings;
+use crate::app::views::scatter::settings::ScatterSettings;
+use crate::app::views::slices::settings::SliceSettings;
 use crate::app::views::sphere::settings::Show;
+use crate::app::views::sphere::settings::SphereSettings;
 use crate::brdf::{Brdf, Fresnel, MODELS, Params};
 use crate::figure::Channel;
 use crate::figure::error_map::Plane;
@@ -155,31 +164,38 @@ fn rich() -> State {
         scene.hidden.push(SubjectKey { material, what });
     }
     scene.lookup = Lookup::Nearest;
-    scene.sphere.view.lights.truncate(1);
-    scene.sphere.view.lights[0].direction = DVec3::new(0.1, -0.4, 0.3).normalize();
-    scene.sphere.view.exposure_stops = -1.25;
-    scene.sphere.show = Show::Error(SphereError::Ratio);
-    scene.sphere.split = 0.3;
-    scene.lobes.theta_i = [5.5, 88.0].map(f64::to_radians).to_vec();
-    scene.lobes.active = 0;
-    scene.lobes.scale = RadialScale::Log;
-    scene.lobes.with_cosine = true;
-    scene.lobes.channel = Channel::B;
-    let spec = &mut scene.slices.spec;
+    scene
+        .views
+        .get_mut::<SphereSettings>()
+        .view
+        .lights
+        .truncate(1);
+    scene.views.get_mut::<SphereSettings>().view.lights[0].direction =
+        DVec3::new(0.1, -0.4, 0.3).normalize();
+    scene.views.get_mut::<SphereSettings>().view.exposure_stops = -1.25;
+    scene.views.get_mut::<SphereSettings>().show = Show::Error(SphereError::Ratio);
+    scene.views.get_mut::<SphereSettings>().split = 0.3;
+    scene.views.get_mut::<LobeSettings>().theta_i = [5.5, 88.0].map(f64::to_radians).to_vec();
+    scene.views.get_mut::<LobeSettings>().active = 0;
+    scene.views.get_mut::<LobeSettings>().scale = RadialScale::Log;
+    scene.views.get_mut::<LobeSettings>().with_cosine = true;
+    scene.views.get_mut::<LobeSettings>().channel = Channel::B;
+    let spec = &mut scene.views.get_mut::<SliceSettings>().spec;
     spec.over = Over::PhiD;
     spec.theta_h = 0.3;
     spec.window = Some([0.5, 2.0]);
     spec.limits = Some([0.001, 40.0]);
     spec.residual = Residual::Ratio;
-    scene.slices.follow = true;
-    scene.albedo.spec.window = Some([0.25, 1.0]);
-    scene.lobe3d.theta_i = 1.0;
-    scene.lobe3d.camera.rotation = DQuat::from_rotation_x(0.5) * DQuat::from_rotation_z(2.0);
-    scene.lobe3d.camera.zoom = 3.0;
-    scene.image.shown = Shown::Ratio;
-    scene.image.view.x = (0.25, 0.75);
-    scene.error_map.plane = Plane::HalfDiff;
-    scene.landscape.solve_eta = true;
+    scene.views.get_mut::<SliceSettings>().follow = true;
+    scene.views.get_mut::<AlbedoSettings>().spec.window = Some([0.25, 1.0]);
+    scene.views.get_mut::<Lobe3dSettings>().theta_i = 1.0;
+    scene.views.get_mut::<Lobe3dSettings>().camera.rotation =
+        DQuat::from_rotation_x(0.5) * DQuat::from_rotation_z(2.0);
+    scene.views.get_mut::<Lobe3dSettings>().camera.zoom = 3.0;
+    scene.views.get_mut::<ImageSettings>().shown = Shown::Ratio;
+    scene.views.get_mut::<ImageSettings>().view.x = (0.25, 0.75);
+    scene.views.get_mut::<ErrorMapSettings>().plane = Plane::HalfDiff;
+    scene.views.get_mut::<LandscapeSettings>().solve_eta = true;
 
     state.fit.settings.weight = Weight::Cells;
     state.fit.settings.limit = 80f64.to_radians();
@@ -235,16 +251,23 @@ const CHANGES: [fn(&mut State); 26] = [
     |s| s.scene.grey[1] = true,
     |s| s.scene.hidden.swap(0, 1),
     |s| s.scene.lookup = Lookup::Smooth,
-    |s| s.scene.sphere.split = -0.5,
-    |s| s.scene.sphere.sight = s.scene.sphere.sight.zoomed(2.0, [0.25, 0.5]),
-    |s| s.scene.lobes.theta_i[1] = 0.5,
-    |s| s.scene.slices.spec.phi_d = 0.25,
-    |s| s.scene.albedo.spec.channel = Channel::R,
-    |s| s.scene.lobe3d.camera.center = [0.5, -0.25],
-    |s| s.scene.image.root = !s.scene.image.root,
-    |s| s.scene.error_map.scale = RadialScale::Log,
-    |s| s.scene.landscape.view.y = (0.5, 1.0),
-    |s| s.scene.scatter.window = Some([2.0, 50.0]),
+    |s| s.scene.views.get_mut::<SphereSettings>().split = -0.5,
+    |s| {
+        s.scene.views.get_mut::<SphereSettings>().sight = s
+            .scene
+            .views
+            .get::<SphereSettings>()
+            .sight
+            .zoomed(2.0, [0.25, 0.5])
+    },
+    |s| s.scene.views.get_mut::<LobeSettings>().theta_i[1] = 0.5,
+    |s| s.scene.views.get_mut::<SliceSettings>().spec.phi_d = 0.25,
+    |s| s.scene.views.get_mut::<AlbedoSettings>().spec.channel = Channel::R,
+    |s| s.scene.views.get_mut::<Lobe3dSettings>().camera.center = [0.5, -0.25],
+    |s| s.scene.views.get_mut::<ImageSettings>().root = !s.scene.views.get::<ImageSettings>().root,
+    |s| s.scene.views.get_mut::<ErrorMapSettings>().scale = RadialScale::Log,
+    |s| s.scene.views.get_mut::<LandscapeSettings>().view.y = (0.5, 1.0),
+    |s| s.scene.views.get_mut::<ScatterSettings>().window = Some([2.0, 50.0]),
     |s| s.fit.settings.from_sliders = true,
     |s| s.fit.settings.limit = NO_LIMIT,
     |s| s.fit.sort = SortBy::Name,
@@ -277,7 +300,7 @@ fn a_session_read_back_is_the_same_as_data() {
     }
     // Planted: a state that lost one of them would be caught.
     let mut forgetful = opened(State::default(), &original);
-    forgetful.scene.lobes.with_cosine = false;
+    forgetful.scene.views.get_mut::<LobeSettings>().with_cosine = false;
     assert!(text(&forgetful) != original);
 }
 

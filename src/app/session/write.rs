@@ -2,7 +2,7 @@
 
 use crate::app::session::file::{
     Grey, SavedBrdf, SavedFit, SavedFitting, SavedKey, SavedMaterial, SavedProbe, SavedWhat,
-    SessionFile, VERSION, Views,
+    SessionFile, VERSION,
 };
 use crate::app::state::State;
 use crate::app::state::fitting::FitState;
@@ -41,17 +41,7 @@ impl SessionFile {
                 rho_d: scene.grey[0],
                 k_s: scene.grey[1],
             },
-            views: Views {
-                sphere: scene.sphere.clone(),
-                lobes: scene.lobes.clone(),
-                slices: scene.slices.clone(),
-                albedo: scene.albedo.clone(),
-                lobe3d: scene.lobe3d,
-                image: scene.image.clone(),
-                error_map: scene.error_map.clone(),
-                landscape: scene.landscape.clone(),
-                scatter: scene.scatter,
-            },
+            views: scene.views.clone(),
             fit: fitting(&state.fit),
             probe,
             layout: Some(state.tiles.clone()),

@@ -19,11 +19,15 @@ pub mod missing;
 pub mod notice;
 pub mod prefs;
 pub mod probe;
+pub mod sanitize;
 pub mod session;
+pub mod settings_map;
 pub mod shared_table;
 pub mod subject_key;
 pub mod subjects;
 pub mod values;
+pub mod view_id;
+pub mod view_settings;
 pub mod views;
 
 use crate::app::state::cache::Caches;
@@ -39,21 +43,9 @@ use crate::app::state::notice::{Dialog, Notice};
 use crate::app::state::prefs::Prefs;
 use crate::app::state::probe::Probe;
 use crate::app::state::session::SessionState;
+use crate::app::state::settings_map::SettingsMap;
 use crate::app::state::subject_key::SubjectKey;
-use crate::app::views::albedo::settings::AlbedoView;
-use crate::app::views::error_map::settings::ErrorMapView;
-use crate::app::views::image::settings::ImageView;
-use crate::app::views::landscape::settings::LandscapeView;
-use crate::app::views::lobes::settings::LobeTile;
-use crate::app::views::scatter::settings::ScatterView;
-use crate::app::views::slices::settings::SlicesView;
-use crate::app::views::sphere::settings::{Show, SphereTile};
-use crate::app::views::sphere::sight::Sight;
 use crate::brdf::ParamId;
-use crate::figure::Channel;
-use crate::figure::page::Lobe3dSpec as Lobe3dView;
-use crate::figure::scale::RadialScale;
-use crate::geom::sphere::SphereView;
 use crate::measured::lookup::Lookup;
 use std::collections::BTreeMap;
 
@@ -72,24 +64,8 @@ pub struct Scene {
     pub hidden: Vec<SubjectKey>,
     /// Interpolation of the table in all views.
     pub lookup: Lookup,
-    /// The sphere.
-    pub sphere: SphereTile,
-    /// The polar lobes.
-    pub lobes: LobeTile,
-    /// The slices.
-    pub slices: SlicesView,
-    /// The albedo.
-    pub albedo: AlbedoView,
-    /// The lobes in space.
-    pub lobe3d: Lobe3dView,
-    /// The image slice.
-    pub image: ImageView,
-    /// The error map.
-    pub error_map: ErrorMapView,
-    /// The error landscape.
-    pub landscape: LandscapeView,
-    /// The scatter of the materials.
-    pub scatter: ScatterView,
+    /// Settings of the views.
+    pub views: SettingsMap,
 }
 
 impl Default for Scene {
@@ -101,27 +77,7 @@ impl Default for Scene {
             grey: [false; 2],
             hidden: Vec::new(),
             lookup: Lookup::Smooth,
-            sphere: SphereTile {
-                view: SphereView::default(),
-                show: Show::Split,
-                split: 0.0,
-                sight: Sight::default(),
-            },
-            lobes: LobeTile {
-                theta_i: [30.0, 60.0, 80.0].map(f64::to_radians).to_vec(),
-                active: 1,
-                scale: RadialScale::CubeRoot,
-                with_cosine: false,
-                channel: Channel::Luminance,
-                limits: None,
-            },
-            slices: SlicesView::default(),
-            albedo: AlbedoView::default(),
-            lobe3d: Lobe3dView::default(),
-            image: ImageView::default(),
-            error_map: ErrorMapView::default(),
-            landscape: LandscapeView::default(),
-            scatter: ScatterView::default(),
+            views: SettingsMap::default(),
         }
     }
 }

@@ -1,22 +1,17 @@
 //! The views as plain data: identity, name, help and place. [`crate::app::views`] has what draws them.
 
-use serde::{Deserialize, Serialize};
+use crate::app::state::view_settings::SettingsKind;
+use crate::app::views::albedo::settings::AlbedoSettings;
+use crate::app::views::error_map::settings::ErrorMapSettings;
+use crate::app::views::image::settings::ImageSettings;
+use crate::app::views::landscape::settings::LandscapeSettings;
+use crate::app::views::lobe3d::settings::Lobe3dSettings;
+use crate::app::views::lobes::settings::LobeSettings;
+use crate::app::views::scatter::settings::ScatterSettings;
+use crate::app::views::slices::settings::SliceSettings;
+use crate::app::views::sphere::settings::SphereSettings;
 
-/// Identity of a view.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[expect(missing_docs, reason = "the rows below say what each one is")]
-pub enum ViewId {
-    Sphere,
-    Fits,
-    Landscape,
-    Scatter,
-    Lobes,
-    Slices,
-    Albedo,
-    Lobe3d,
-    Image,
-    ErrorMap,
-}
+pub use crate::app::state::view_id::ViewId;
 
 /// The half of the default layout in which a view is at first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,6 +50,15 @@ pub struct About {
     pub home: Home,
     /// When a figure can show it.
     pub on_paper: OnPaper,
+    /// How its settings are made and read; `None` where it has none.
+    pub settings: Option<SettingsKind>,
+}
+
+impl About {
+    /// Its name in the settings of a session.
+    pub fn session_key(&self) -> String {
+        self.key.replace('-', "_")
+    }
 }
 
 impl ViewId {
@@ -79,6 +83,7 @@ pub const VIEWS: &[About] = &[
         ],
         home: Home::Upper,
         on_paper: OnPaper::Always,
+        settings: Some(SettingsKind::of::<SphereSettings>()),
     },
     About {
         id: ViewId::Fits,
@@ -91,6 +96,7 @@ pub const VIEWS: &[About] = &[
         ],
         home: Home::Upper,
         on_paper: OnPaper::Never,
+        settings: None,
     },
     About {
         id: ViewId::Landscape,
@@ -103,6 +109,7 @@ pub const VIEWS: &[About] = &[
         ],
         home: Home::Upper,
         on_paper: OnPaper::WithData,
+        settings: Some(SettingsKind::of::<LandscapeSettings>()),
     },
     About {
         id: ViewId::Scatter,
@@ -115,6 +122,7 @@ pub const VIEWS: &[About] = &[
         ],
         home: Home::Upper,
         on_paper: OnPaper::WithCombinedFits,
+        settings: Some(SettingsKind::of::<ScatterSettings>()),
     },
     About {
         id: ViewId::Lobes,
@@ -127,6 +135,7 @@ pub const VIEWS: &[About] = &[
         ],
         home: Home::Lower,
         on_paper: OnPaper::Always,
+        settings: Some(SettingsKind::of::<LobeSettings>()),
     },
     About {
         id: ViewId::Slices,
@@ -139,6 +148,7 @@ pub const VIEWS: &[About] = &[
         ],
         home: Home::Lower,
         on_paper: OnPaper::Always,
+        settings: Some(SettingsKind::of::<SliceSettings>()),
     },
     About {
         id: ViewId::Albedo,
@@ -151,6 +161,7 @@ pub const VIEWS: &[About] = &[
         ],
         home: Home::Lower,
         on_paper: OnPaper::Always,
+        settings: Some(SettingsKind::of::<AlbedoSettings>()),
     },
     About {
         id: ViewId::Lobe3d,
@@ -163,6 +174,7 @@ pub const VIEWS: &[About] = &[
         ],
         home: Home::Lower,
         on_paper: OnPaper::Always,
+        settings: Some(SettingsKind::of::<Lobe3dSettings>()),
     },
     About {
         id: ViewId::Image,
@@ -175,6 +187,7 @@ pub const VIEWS: &[About] = &[
         ],
         home: Home::Lower,
         on_paper: OnPaper::Always,
+        settings: Some(SettingsKind::of::<ImageSettings>()),
     },
     About {
         id: ViewId::ErrorMap,
@@ -187,5 +200,6 @@ pub const VIEWS: &[About] = &[
         ],
         home: Home::Lower,
         on_paper: OnPaper::WithData,
+        settings: Some(SettingsKind::of::<ErrorMapSettings>()),
     },
 ];

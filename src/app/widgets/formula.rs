@@ -18,7 +18,7 @@ pub fn symbolic(brdf: &Brdf) -> String {
 pub fn numeric(brdf: &Brdf) -> String {
     let mut lobe = brdf.model.formula.to_string();
     for row in brdf.model.params.iter().filter(|row| !row.id.is_color()) {
-        lobe = lobe.replace(row.symbol, &number(brdf.params.get(row.id)[0]));
+        lobe = substituted(&lobe, row.symbol, &number(brdf.params.get(row.id)[0]));
     }
     let factor = match brdf.fresnel {
         Fresnel::None => String::new(),
@@ -31,6 +31,23 @@ pub fn numeric(brdf: &Brdf) -> String {
         color(brdf.params.get(ParamId::RhoD)),
         color(brdf.params.get(ParamId::KS)),
     )
+}
+
+/// A formula with a number in place of a symbol. The symbol stands alone: the s of "cos" and of an index is not it.
+fn substituted(formula: &str, symbol: &str, number: &str) -> String {
+    let mut text = String::new();
+    let mut rest = formula;
+    while let Some(at) = rest.find(symbol) {
+        let (before, after) = (&rest[..at], &rest[at + symbol.len()..]);
+        text += before;
+        let in_word = |c: Option<char>| c.is_some_and(char::is_alphabetic);
+        let alone = !in_word(text.chars().next_back())
+            && !in_word(after.chars().next())
+            && !text.ends_with("_{");
+        text += if alone { number } else { symbol };
+        rest = after;
+    }
+    text + rest
 }
 
 fn color(values: &[f64]) -> String {
@@ -56,9 +73,36 @@ pub fn number(value: f64) -> String {
     format!("{value:.decimals$}")
 }
 
+/// E in percent with two decimals, as markup.
+pub fn hundredths(error: f64) -> String {
+    if error.is_nan() {
+        "–".into()
+    } else if error < 100.0 {
+        format!("{:.2}", 100.0 * error)
+    } else {
+        number(100.0 * error)
+    }
+}
+
+/// E with its unit, as markup.
+pub fn percent(error: f64) -> String {
+    format!("{} %", hundredths(error))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_symbol_is_replaced_where_it_stands_alone() {
+        for (formula, expected) in [("cos^{s}", "cos^{12}"), ("s cos s_{s}", "12 cos 12_{s}")] {
+            assert_eq!(substituted(formula, "s", "12"), expected);
+        }
+        assert_eq!(
+            substituted("(1 − α)(ω_{r}·ω_{o})", "α", "0.5"),
+            "(1 − 0.5)(ω_{r}·ω_{o})"
+        );
+    }
     use crate::brdf::{Model, Params};
 
     #[test]

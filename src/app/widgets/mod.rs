@@ -1,6 +1,8 @@
 //! Pieces of user interface that views and panels share: painting, controls, gestures.
 
 pub mod controls;
+pub mod empty;
+pub mod fit_details;
 pub mod formula;
 pub mod heat;
 pub mod legend;

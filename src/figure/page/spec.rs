@@ -11,6 +11,7 @@ use crate::figure::scale::RadialScale;
 use crate::figure::slices::{Residual, SliceSpec};
 use crate::figure::subject::Channel;
 use crate::geom::degrees;
+use crate::geom::sight::Sight;
 use crate::geom::sphere::SphereView;
 use crate::geom::sphere_error::SphereError;
 use serde::{Deserialize, Serialize};
@@ -88,6 +89,9 @@ pub struct SphereSpec {
     pub show: SphereShow,
     /// Where the line between data and model is: −1 at the left rim, 1 at the right.
     pub split: f64,
+    /// The part in sight.
+    #[serde(skip_serializing_if = "is_all")]
+    pub sight: Sight,
 }
 
 impl Default for SphereSpec {
@@ -96,8 +100,13 @@ impl Default for SphereSpec {
             view: SphereView::default(),
             show: SphereShow::Measured,
             split: 0.0,
+            sight: Sight::default(),
         }
     }
+}
+
+fn is_all(sight: &Sight) -> bool {
+    *sight == Sight::default()
 }
 
 /// What is on a sphere.

@@ -5,10 +5,11 @@ use super::spec::{PageSpec, SphereShow, SphereSpec, ViewSpec};
 use crate::figure::drawing::{Anchor, Drawing, Item, Label, Picture, font_size};
 use crate::figure::palette::Role;
 use crate::figure::sphere_image::{
-    PIXEL, SphereSource, error_colors, error_names, error_ticks, error_unit, render,
+    PIXEL, SphereSource, error_colors, error_names, error_ticks, error_unit, render_part,
 };
 use crate::figure::subject::{Look, Source, Subject};
 use crate::figure::text::RichText;
+use crate::geom::sight::Sight;
 use crate::geom::sphere::SphereView;
 use crate::geom::sphere_error::SphereError;
 
@@ -35,7 +36,7 @@ pub(super) fn sphere(spec: &SphereSpec, input: &PanelInput) -> PanelDrawing {
     let min = [0.5 * (width - bar - side), 0.5 * (height - side)];
     let max = [min[0] + side, min[1] + side];
     let size = ((side * input.density).ceil() as usize).clamp(1, MOST);
-    let picture = render(&source, &spec.view, size);
+    let picture = render_part(&source, &spec.view, spec.sight, size);
     drawing.items.push(Item::Image(Picture {
         min,
         max,
@@ -55,9 +56,12 @@ pub(super) fn sphere(spec: &SphereSpec, input: &PanelInput) -> PanelDrawing {
         SphereShow::Split => {
             word("measured", min[0], 0.0);
             word("model", max[0], 1.0);
-            let x = min[0] + 0.5 * side * (1.0 + spec.split as f32);
-            let line = vec![[x, min[1]], [x, max[1]]];
-            drawing.line(line, 1.0, Role::Muted.into());
+            let split = spec.sight.zoom * (spec.split - spec.sight.center[0]);
+            if split.abs() <= 1.0 {
+                let x = min[0] + 0.5 * side * (1.0 + split as f32);
+                let line = vec![[x, min[1]], [x, max[1]]];
+                drawing.line(line, 1.0, Role::Muted.into());
+            }
         }
         SphereShow::Error(error) => {
             word(error_names(error)[0], min[0], 0.0);
@@ -82,8 +86,11 @@ fn drawn(drawing: Drawing) -> PanelDrawing {
     }
 }
 
-/// What the sphere of a page shows that has nothing else on it.
-pub fn only_sphere(page: &PageSpec, subjects: &[Subject]) -> Option<(SphereSource, SphereView)> {
+/// The sphere of a page that has nothing else on it, its lights, and the part in sight.
+pub fn only_sphere(
+    page: &PageSpec,
+    subjects: &[Subject],
+) -> Option<(SphereSource, SphereView, Sight)> {
     let mut panels = page.rows.iter().flat_map(|row| &row.panels);
     let (Some(panel), None) = (panels.next(), panels.next()) else {
         return None;
@@ -96,7 +103,7 @@ pub fn only_sphere(page: &PageSpec, subjects: &[Subject]) -> Option<(SphereSourc
         let found = of_panel().find(|s| (s.look == Look::Measured) == measured);
         found.map(|subject| subject.source.clone())
     };
-    Some((source_of(spec, of)?, spec.view.clone()))
+    Some((source_of(spec, of)?, spec.view.clone(), spec.sight))
 }
 
 fn source(spec: &SphereSpec, input: &PanelInput) -> Option<SphereSource> {

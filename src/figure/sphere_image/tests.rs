@@ -1,5 +1,6 @@
 use super::render::sampled;
 use super::*;
+use crate::geom::sight::Sight;
 use crate::geom::sphere::Light;
 use glam::DVec3;
 use std::f64::consts::{FRAC_1_PI, PI};
@@ -120,7 +121,7 @@ fn more_samples_come_closer_to_the_truth_at_edges() {
         right: diffuse(0.9),
         at: 0.123,
     };
-    let at = |side| sampled(&source, &frontal(), 24, side);
+    let at = |side| sampled(&source, &frontal(), Sight::default(), 24, side);
     let truth = at(64);
     let [one, four, sixteen] = [1, 4, 16].map(|side| worst(&at(side), &truth));
     println!("1, 16, 256 samples: {one:.4}, {four:.4}, {sixteen:.4} from 4096");

@@ -2,10 +2,10 @@
 
 use crate::app::msg::Msg;
 use crate::app::msg::library::LibraryMsg;
-use crate::app::panels::fit_details::percent;
 use crate::app::state::State;
 use crate::app::state::library::{Examined, Folder, FolderFile, Kind, Target};
 use crate::app::widgets::formula::number;
+use crate::app::widgets::formula::percent;
 use crate::brdf::ParamId;
 use crate::figure::text::{RichText, elided};
 use crate::files::fits::FitRecord;

@@ -6,6 +6,7 @@ use crate::app::session::read::read;
 use crate::app::session::tests::{PATH, found, opened, rich, text};
 use crate::app::state::notice::Level;
 use crate::app::state::views::ViewId;
+use crate::app::views::lobes::settings::LobeSettings;
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -41,6 +42,7 @@ fn what_cannot_be_is_replaced_and_named_in_one_line() {
             json!(120),
             "views.lobes.theta_i.1",
         ),
+        ("/views/lobes/limits", json!([5, -1]), "views.lobes.limits"),
         ("/views/lobes/theta_i/1", json!(1e300), "an angle of"),
         ("/views/lobes/scale", json!("cubic"), "unknown variant"),
         (
@@ -163,7 +165,10 @@ fn hand_written_sessions_may_leave_almost_all_out() {
         .collect();
     assert_eq!(names, ["a", "material 2"]);
     assert_eq!(state.scene.opened[1].brdf.params.s, 7.0);
-    assert_eq!(state.scene.lobes, crate::app::state::Scene::default().lobes);
+    assert_eq!(
+        *state.scene.views.get::<LobeSettings>(),
+        LobeSettings::default()
+    );
     assert!(!state.tiles.is_open(ViewId::Scatter), "the layout is left");
 }
 

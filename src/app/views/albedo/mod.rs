@@ -1,12 +1,14 @@
 //! The albedo over the angle of incidence.
 pub mod settings;
+pub mod work;
 
 use crate::app::msg::Msg;
 use crate::app::msg::cache::request;
 use crate::app::state::State;
 use crate::app::state::probe::Probe;
 use crate::app::state::subjects::Subjects;
-use crate::app::views::albedo::settings::{MeasuredAlbedo, curves, queries};
+use crate::app::views::albedo::settings::AlbedoSettings;
+use crate::app::views::albedo::work::{MeasuredAlbedo, curves, queries};
 use crate::app::widgets::legend::legend_ui;
 use crate::app::widgets::zoom::Zoom;
 use crate::app::widgets::{controls, paint, probe, zoom};
@@ -20,7 +22,7 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Draws the tile.
 pub fn albedo_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
-    let view = &state.scene.albedo;
+    let view = state.scene.views.get::<AlbedoSettings>();
     let subjects = Subjects::of(state);
     let (measured, models) = queries(&subjects.list);
     request(&state.caches, &measured, out);
@@ -29,7 +31,7 @@ pub fn albedo_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
         if let Some(channel) = controls::channel_ui(ui, view.spec.channel) {
             let mut changed = view.clone();
             changed.spec.channel = channel;
-            out.push(Msg::SetAlbedo(changed));
+            out.push(Msg::set_view(changed));
         }
         // Models are there at once: only the long job is worth a word.
         if let Some(progress) = state.caches.progress::<MeasuredAlbedo>() {
@@ -67,7 +69,7 @@ fn interact(
     (subjects, curves): (&Subjects, &[AlbedoCurve]),
     out: &mut Vec<Msg>,
 ) {
-    let view = &state.scene.albedo;
+    let view = state.scene.views.get::<AlbedoSettings>();
     if let Some(zoom) = zoom::gesture(ui, response, &plot.frame) {
         let mut changed = view.clone();
         let spec = &mut changed.spec;
@@ -83,7 +85,7 @@ fn interact(
             Zoom::Reset => (spec.window, spec.limits) = (None, None),
         }
         if changed != *view {
-            out.push(Msg::SetAlbedo(changed));
+            out.push(Msg::set_view(changed));
         }
     }
     let Some(pointer) = response.interact_pointer_pos().or(response.hover_pos()) else {

@@ -1,14 +1,16 @@
 //! The error map: where the E of the model comes from.
 pub mod settings;
+pub mod work;
 
 use crate::app::msg::Msg;
 use crate::app::msg::cache::request;
-use crate::app::panels::dialogs;
 use crate::app::state::State;
 use crate::app::state::fitting::run::Run;
 use crate::app::state::probe::Probe;
 use crate::app::state::shared_table::SharedTable;
-use crate::app::views::error_map::settings::{ErrorMapQuery, ErrorMapView};
+use crate::app::views::error_map::settings::ErrorMapSettings;
+use crate::app::views::error_map::work::ErrorMapQuery;
+use crate::app::widgets::empty;
 use crate::app::widgets::heat::{OnScreen, heat_ui};
 use crate::app::widgets::{controls, probe};
 use crate::export::fit_output::bins;
@@ -23,10 +25,10 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Draws the tile.
 pub fn error_map_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
-    let view = &state.scene.error_map;
+    let view = state.scene.views.get::<ErrorMapSettings>();
     toolbar_ui(ui, view, out);
     let empty = |ui: &mut egui::Ui, text: &str| {
-        dialogs::empty_ui(ui, ui.available_rect_before_wrap(), text);
+        empty::empty_ui(ui, ui.available_rect_before_wrap(), text);
         false
     };
     let Some((material, opened)) = state.current() else {
@@ -67,13 +69,13 @@ pub fn error_map_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> boo
     on_screen.response.contains_pointer()
 }
 
-fn set(view: &ErrorMapView, change: impl FnOnce(&mut ErrorMapView)) -> Msg {
+fn set(view: &ErrorMapSettings, change: impl FnOnce(&mut ErrorMapSettings)) -> Msg {
     let mut view = view.clone();
     change(&mut view);
-    Msg::SetErrorMap(view)
+    Msg::set_view(view)
 }
 
-fn toolbar_ui(ui: &mut egui::Ui, view: &ErrorMapView, out: &mut Vec<Msg>) {
+fn toolbar_ui(ui: &mut egui::Ui, view: &ErrorMapSettings, out: &mut Vec<Msg>) {
     ui.horizontal_wrapped(|ui| {
         for (plane, name, help) in [
             (
@@ -103,7 +105,7 @@ fn toolbar_ui(ui: &mut egui::Ui, view: &ErrorMapView, out: &mut Vec<Msg>) {
     });
 }
 
-fn spec(view: &ErrorMapView, made: &ErrorMap, probe: Option<Probe>) -> ErrorSpec {
+fn spec(view: &ErrorMapSettings, made: &ErrorMap, probe: Option<Probe>) -> ErrorSpec {
     ErrorSpec {
         plane: view.plane,
         scale: view.scale,

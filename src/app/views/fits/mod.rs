@@ -6,14 +6,15 @@ pub mod rows;
 use crate::app::command::Command;
 use crate::app::msg::Msg;
 use crate::app::msg::fit::FitMsg;
-use crate::app::panels::{dialogs, fit_details};
 use crate::app::state::State;
 use crate::app::state::fitting::kept::{short_variant_name, variant_name};
 use crate::app::state::fitting::run::Run;
 use crate::app::state::subjects::look_beside;
+use crate::app::widgets::formula::hundredths;
 use crate::app::widgets::formula::number;
 use crate::app::widgets::paint;
 use crate::app::widgets::paint::rich_text_job;
+use crate::app::widgets::{empty, fit_details};
 use crate::figure::drawing::Drawing;
 use crate::figure::palette::{Palette, Role};
 use crate::figure::text::RichText;
@@ -25,14 +26,14 @@ use rows::{Mark, Row};
 pub fn fits_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     let Some((material, _)) = state.current() else {
         let rect = ui.available_rect_before_wrap();
-        dialogs::empty_ui(ui, rect, "Open a material to fit models to it.");
+        empty::empty_ui(ui, rect, "Open a material to fit models to it.");
         return;
     };
     toolbar_ui(ui, state, &material.name, out);
     let rows = rows::rows(state);
     if rows.is_empty() {
         let rect = ui.available_rect_before_wrap();
-        dialogs::empty_ui(ui, rect, "No fit of this material yet.");
+        empty::empty_ui(ui, rect, "No fit of this material yet.");
         return;
     }
     egui::ScrollArea::both()
@@ -225,7 +226,7 @@ impl Row<'_> {
     /// The numbers, as markup.
     fn cells(&self) -> [String; 6] {
         let number_or_dash = |value: Option<f64>| value.map_or("–".into(), number);
-        let hundredths = |e: f64| fit_details::hundredths(e);
+        let hundredths = |e: f64| hundredths(e);
         let used = |id, value: f64| {
             let used = self.brdf.is_some_and(|brdf| brdf.uses(id));
             number_or_dash(used.then_some(value))

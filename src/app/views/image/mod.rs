@@ -5,7 +5,9 @@ pub mod settings;
 use crate::app::msg::Msg;
 use crate::app::state::State;
 use crate::app::state::probe::Probe;
-use crate::app::views::image::settings::ImageView;
+use crate::app::views::image::settings::ImageSettings;
+use crate::app::views::image::settings::with_probe;
+use crate::app::views::slices::settings::SliceSettings;
 use crate::app::widgets::formula::number;
 use crate::app::widgets::heat::{OnScreen, heat_ui};
 use crate::app::widgets::paint::plain;
@@ -19,9 +21,9 @@ use std::sync::Arc;
 
 /// Draws the tile.
 pub fn image_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
-    let view = &state.scene.image;
+    let view = state.scene.views.get::<ImageSettings>();
     toolbar_ui(ui, view, out);
-    let spec = view.spec(state.probe());
+    let spec = with_probe(view, state.probe());
     let sources = Sources::of(state);
     let fields = fields(ui, &spec, &sources);
     let name = state.current().map_or("", |(material, _)| &material.name);
@@ -34,13 +36,13 @@ pub fn image_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
     on_screen.response.contains_pointer()
 }
 
-fn set(view: &ImageView, change: impl FnOnce(&mut ImageView)) -> Msg {
+fn set(view: &ImageSettings, change: impl FnOnce(&mut ImageSettings)) -> Msg {
     let mut view = view.clone();
     change(&mut view);
-    Msg::SetImage(view)
+    Msg::set_view(view)
 }
 
-fn toolbar_ui(ui: &mut egui::Ui, view: &ImageView, out: &mut Vec<Msg>) {
+fn toolbar_ui(ui: &mut egui::Ui, view: &ImageSettings, out: &mut Vec<Msg>) {
     ui.horizontal_wrapped(|ui| {
         for shown in SHOWN {
             let response = ui.selectable_label(view.shown == shown, shown.name());
@@ -195,11 +197,11 @@ fn interact(
 /// A click on a cell pins it and lays the slices over θh, θd and φd through it.
 fn clicked(state: &State, probe: Probe, angles: HalfDiff, out: &mut Vec<Msg>) {
     probe::pin(state, probe, out);
-    let mut slices = state.scene.slices.clone();
+    let mut slices = state.scene.views.get::<SliceSettings>().clone();
     (slices.spec.theta_h, slices.spec.theta_d) = (angles.theta_h, angles.theta_d);
     slices.spec.phi_d = angles.phi_d;
-    if slices != state.scene.slices {
-        out.push(Msg::SetSlices(slices));
+    if slices != *state.scene.views.get::<SliceSettings>() {
+        out.push(Msg::set_view(slices));
     }
 }
 

@@ -1,65 +1,32 @@
-//! What the image slice is set to show.
+//! Settings of the image slice.
 
 use crate::app::state::probe::{Probe, same};
+use crate::app::state::sanitize::limits;
+use crate::app::state::view_id::ViewId;
+use crate::app::state::view_settings::Settings;
 use crate::figure::Mark;
-use crate::figure::heatmap::View;
-use crate::figure::image_slice::{ImageSpec, Shown};
-use crate::figure::scale::RadialScale;
-use crate::figure::subject::Channel;
-use crate::geom::degrees;
-use serde::{Deserialize, Serialize};
+use crate::figure::image_slice::ImageSpec;
 use std::f64::consts::PI;
 
-/// What the tile of the image slice is set to.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct ImageView {
-    /// Data, model or their difference.
-    pub shown: Shown,
-    /// φd in radians, in [0, π].
-    #[serde(with = "degrees")]
-    pub phi_d: f64,
-    /// Whether θh is spread by its square root.
-    pub root: bool,
-    /// How values become colours.
-    pub scale: RadialScale,
-    /// Which channel.
-    pub channel: Channel,
-    /// Whether f_r is multiplied by cos θi.
-    pub with_cosine: bool,
-    /// The part in sight.
-    pub view: View,
-}
+/// Settings of the image slice: those of its figure. The probe is filled in while drawing.
+pub type ImageSettings = ImageSpec;
 
-impl Default for ImageView {
-    fn default() -> Self {
-        let spec = ImageSpec::default();
-        Self {
-            shown: spec.shown,
-            phi_d: spec.phi_d,
-            root: spec.root,
-            scale: spec.scale,
-            channel: spec.channel,
-            with_cosine: spec.with_cosine,
-            view: spec.view,
-        }
+impl Settings for ImageSettings {
+    const VIEW: ViewId = ViewId::Image;
+
+    fn sanitized(mut self) -> Self {
+        self.phi_d = self.phi_d.clamp(0.0, PI);
+        self.limits = limits(self.limits);
+        self.view = self.view.or_all();
+        self
     }
 }
 
-impl ImageView {
-    /// As a figure, with the probe on it.
-    pub fn spec(&self, probe: Option<Probe>) -> ImageSpec {
-        ImageSpec {
-            shown: self.shown,
-            phi_d: self.phi_d,
-            root: self.root,
-            scale: self.scale,
-            channel: self.channel,
-            with_cosine: self.with_cosine,
-            limits: None,
-            view: self.view,
-            probe: probe.and_then(|probe| mark(probe, self.phi_d)),
-        }
+/// The image slice with the probe on it.
+pub fn with_probe(settings: &ImageSettings, probe: Option<Probe>) -> ImageSpec {
+    ImageSpec {
+        probe: probe.and_then(|probe| mark(probe, settings.phi_d)),
+        ..settings.clone()
     }
 }
 

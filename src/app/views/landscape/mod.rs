@@ -1,11 +1,13 @@
 //! The error landscape: the best E over (s, α), and the way of a fit over it.
 pub mod settings;
+pub mod work;
 
 use crate::app::msg::Msg;
 use crate::app::msg::cache::{again, request, stop};
-use crate::app::panels::dialogs;
 use crate::app::state::State;
-use crate::app::views::landscape::settings::{LandscapeQuery, LandscapeView, path, place};
+use crate::app::views::landscape::settings::LandscapeSettings;
+use crate::app::views::landscape::work::{LandscapeQuery, path, place};
+use crate::app::widgets::empty;
 use crate::app::widgets::formula::number;
 use crate::app::widgets::heat::{OnScreen, heat_ui};
 use crate::app::widgets::paint::plain;
@@ -17,9 +19,9 @@ use crate::fit::landscape::{Eta, Landscape};
 
 /// Draws the tile.
 pub fn landscape_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
-    let view = &state.scene.landscape;
+    let view = state.scene.views.get::<LandscapeSettings>();
     let empty = |ui: &mut egui::Ui, text: &str| {
-        dialogs::empty_ui(ui, ui.available_rect_before_wrap(), text);
+        empty::empty_ui(ui, ui.available_rect_before_wrap(), text);
         false
     };
     let query = LandscapeQuery::of(state);
@@ -63,16 +65,16 @@ pub fn landscape_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> boo
     false
 }
 
-fn set(view: &LandscapeView, change: impl FnOnce(&mut LandscapeView)) -> Msg {
+fn set(view: &LandscapeSettings, change: impl FnOnce(&mut LandscapeSettings)) -> Msg {
     let mut view = view.clone();
     change(&mut view);
-    Msg::SetLandscape(view)
+    Msg::set_view(view)
 }
 
 fn toolbar_ui(
     ui: &mut egui::Ui,
     state: &State,
-    view: &LandscapeView,
+    view: &LandscapeSettings,
     query: Option<&LandscapeQuery>,
     out: &mut Vec<Msg>,
 ) {

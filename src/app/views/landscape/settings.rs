@@ -1,104 +1,25 @@
 //! What the error landscape is set to show, and the job behind it.
 
-use crate::app::state::State;
-use crate::app::state::cache::{Query, Update, WhenNewer};
-use crate::app::state::shared_table::SharedTable;
-use crate::brdf::{Brdf, Fresnel};
+use crate::app::state::view_id::ViewId;
+use crate::app::state::view_settings::Settings;
 use crate::figure::heatmap::View;
-use crate::fit::landscape::{Eta, Landscape};
-use crate::fit::{Problem, ProblemError, Progress, Weight, landscape};
 use serde::{Deserialize, Serialize};
-use std::ops::ControlFlow;
 
 /// What the tile of the error landscape is set to.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
-pub struct LandscapeView {
+pub struct LandscapeSettings {
     /// Whether η is the best one at each point instead of the slider's.
     pub solve_eta: bool,
     /// The part in sight.
     pub view: View,
 }
 
-/// The best E of the combined model over (s, α).
-#[derive(Clone, Debug, PartialEq)]
-pub struct LandscapeQuery {
-    /// The material.
-    pub data: SharedTable,
-    /// How much a cell counts.
-    pub weight: Weight,
-    /// Grazing limit in radians.
-    pub limit: f64,
-    /// The factor on the specular term.
-    pub fresnel: Fresnel,
-    /// What becomes of η.
-    pub eta: Eta,
-}
+impl Settings for LandscapeSettings {
+    const VIEW: ViewId = ViewId::Landscape;
 
-impl LandscapeQuery {
-    /// For the shown material and the model over it. A fit under way moves η with every word: the query stays with
-    /// where the sliders stood.
-    pub fn of(state: &State) -> Option<Self> {
-        let (material, _) = state.current()?;
-        let brdf = state.scene.opened.get(state.scene.selected)?.brdf;
-        let settings = &state.fit.settings;
-        let eta = match brdf.fresnel {
-            // It does not matter, and must not make a difference.
-            Fresnel::None => Eta::Fixed(1.0),
-            _ if state.scene.landscape.solve_eta => Eta::Optimised,
-            _ => Eta::Fixed(brdf.params.eta),
-        };
-        Some(Self {
-            data: SharedTable(material.table.clone()),
-            weight: settings.weight,
-            limit: settings.limit,
-            fresnel: brdf.fresnel,
-            eta,
-        })
+    fn sanitized(mut self) -> Self {
+        self.view = self.view.or_all();
+        self
     }
-}
-
-impl Query for LandscapeQuery {
-    type Output = Result<Landscape, ProblemError>;
-    const DOING: &'static str = "computing the error landscape";
-    const WHEN_NEWER: WhenNewer = WhenNewer::Cancel;
-
-    fn run(
-        &self,
-        report: &mut dyn FnMut(Update<Self::Output>) -> ControlFlow<()>,
-    ) -> Option<Self::Output> {
-        let problem = match Problem::new(&self.data.0, self.weight, self.limit) {
-            Ok(problem) => problem,
-            Err(error) => return Some(Err(error)),
-        };
-        let mut say = |word| {
-            report(match word {
-                landscape::Update::Progress(share) => Update::Progress(share),
-                landscape::Update::Grid(grid) => Update::Partial(Ok(grid)),
-            })
-        };
-        landscape::landscape(&problem, self.fresnel, self.eta, &mut say).map(Ok)
-    }
-}
-
-/// Where a model is on the axes of the landscape: (s, α) of the combined model that it is, or that looks most like it.
-pub fn place(brdf: &Brdf) -> [f64; 2] {
-    let params = brdf.with_model(landscape::model()).params;
-    [params.s, params.alpha]
-}
-
-/// Corners of a path at most.
-const MOST: usize = 400;
-
-/// The way of the fit under way, or of the last one of the shown model, from its start to its end.
-pub fn path(state: &State) -> Vec<[f64; 2]> {
-    let updates: &[Progress] = match state.current_run().and_then(|run| run.current_part()) {
-        Some(part) => &part.updates,
-        None => state.current_fit().map_or(&[], |fit| &fit.trace),
-    };
-    let step = updates.len().div_ceil(MOST).max(1);
-    let kept = updates.iter().step_by(step).chain(updates.last());
-    let mut path: Vec<[f64; 2]> = kept.map(|progress| place(&progress.brdf)).collect();
-    path.dedup();
-    path
 }

@@ -7,10 +7,10 @@ use crate::app::msg::Msg;
 use crate::app::state::State;
 use crate::app::state::probe::Probe;
 use crate::app::state::subjects::Subjects;
+use crate::app::views::lobe3d::settings::Lobe3dSettings;
 use crate::app::widgets::legend::legend_ui;
 use crate::app::widgets::{controls, paint, probe};
 use crate::figure::lobe3d::{Camera, Detail, Lobes, Overlay, Shape, pick};
-use crate::figure::page::Lobe3dSpec as Lobe3dView;
 use crate::figure::palette::Palette;
 use crate::figure::scale::RADIAL_SCALES;
 use crate::geom::limits::{MAX_THETA_I, MAX_THETA_I_DEG};
@@ -24,7 +24,7 @@ const ZOOM_PER_POINT: f32 = 0.004;
 
 /// Draws the tile.
 pub fn lobe3d_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
-    let view = &state.scene.lobe3d;
+    let view = state.scene.views.get::<Lobe3dSettings>();
     // A probe from elsewhere may have its light anywhere around the normal.
     let probed = state.probe().map(upright);
     let theta_i = probed.map_or(view.theta_i, Probe::theta_i).min(MAX_THETA_I);
@@ -80,7 +80,7 @@ fn lobes_of(ui: &egui::Ui, shape: Shape, subjects: &Subjects) -> Arc<Lobes> {
     lobes
 }
 
-fn toolbar_ui(ui: &mut egui::Ui, view: &Lobe3dView, probed: Option<f64>, out: &mut Vec<Msg>) {
+fn toolbar_ui(ui: &mut egui::Ui, view: &Lobe3dSettings, probed: Option<f64>, out: &mut Vec<Msg>) {
     let mut changed = *view;
     ui.horizontal_wrapped(|ui| {
         for scale in RADIAL_SCALES {
@@ -115,7 +115,7 @@ fn toolbar_ui(ui: &mut egui::Ui, view: &Lobe3dView, probed: Option<f64>, out: &m
             .on_hover_text("Multiply f_r by cos θi");
     });
     if changed != *view {
-        out.push(Msg::SetLobe3d(changed));
+        out.push(Msg::set_view(changed));
     }
 }
 
@@ -127,7 +127,7 @@ fn interact(
     overlay: &Overlay,
     out: &mut Vec<Msg>,
 ) {
-    let view = &state.scene.lobe3d;
+    let view = state.scene.views.get::<Lobe3dSettings>();
     let origin = response.rect.min;
     let on_canvas = |at: egui::Pos2| [at.x - origin.x, at.y - origin.y];
     let mut camera = view.camera;
@@ -159,7 +159,7 @@ fn interact(
         }
     }
     if camera != view.camera {
-        out.push(Msg::SetLobe3d(Lobe3dView { camera, ..*view }));
+        out.push(Msg::set_view(Lobe3dSettings { camera, ..*view }));
     }
 }
 

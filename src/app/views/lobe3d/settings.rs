@@ -1,3 +1,19 @@
-//! The lobes in space: what the tile shows is what a figure shows.
+//! Settings of the lobes in space: those of their figure.
 
-pub use crate::figure::page::Lobe3dSpec as Lobe3dView;
+use crate::app::state::view_id::ViewId;
+use crate::app::state::view_settings::Settings;
+use crate::figure::page::Lobe3dSpec;
+use crate::geom::limits::MAX_THETA_I;
+
+/// Settings of the lobes in space. θi is that of the light where there is no probe.
+pub type Lobe3dSettings = Lobe3dSpec;
+
+impl Settings for Lobe3dSettings {
+    const VIEW: ViewId = ViewId::Lobe3d;
+
+    fn sanitized(mut self) -> Self {
+        self.theta_i = self.theta_i.clamp(0.0, MAX_THETA_I);
+        self.camera = self.camera.held();
+        self
+    }
+}

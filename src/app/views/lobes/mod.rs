@@ -4,16 +4,17 @@ pub mod settings;
 
 use crate::app::command::Command;
 use crate::app::msg::Msg;
+use crate::app::state::State;
 use crate::app::state::probe::Probe;
 use crate::app::state::subjects::Subjects;
-use crate::app::state::{Scene, State};
-use crate::app::views::lobes::settings::LobeTile;
+use crate::app::views::lobes::settings::LobeSettings;
+use crate::app::views::lobes::settings::drawable;
 use crate::app::widgets::legend::legend_ui;
 use crate::app::widgets::{controls, paint, probe, zoom};
 use crate::figure::Point;
-use crate::figure::lobes::{LobePlot, LobeSpec};
+use crate::figure::lobes::LobePlot;
 use crate::figure::palette::Palette;
-use crate::figure::scale::{RADIAL_SCALES, RadialScale};
+use crate::figure::scale::RADIAL_SCALES;
 use crate::geom::limits::MAX_THETA_I_DEG;
 use egui::{CursorIcon, PointerButton, Sense, Vec2};
 
@@ -21,7 +22,7 @@ use egui::{CursorIcon, PointerButton, Sense, Vec2};
 const GRAB: f32 = 14.0;
 /// Draws the tile.
 pub fn lobes_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
-    let tile = &state.scene.lobes;
+    let tile = state.scene.views.get::<LobeSettings>();
     toolbar_ui(ui, tile, out);
     let (rect, response) = ui.allocate_exact_size(
         ui.available_size().max(Vec2::splat(60.0)),
@@ -31,34 +32,14 @@ pub fn lobes_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
     let palette = Palette::of_theme(ui.visuals().dark_mode);
     let size = [rect.width(), rect.height()];
     let subjects = Subjects::of(state);
-    let plot = LobePlot::new(&spec(tile, state.probe()), &subjects.list, size);
+    let plot = LobePlot::new(&drawable(tile, state.probe()), &subjects.list, size);
     paint::paint(ui.painter(), rect.min, &plot.drawing, &palette);
     interact(ui, &response, state, &plot, out);
     legend_ui(ui, rect.min, &plot.legend, &subjects, out);
     response.contains_pointer()
 }
 
-fn spec(tile: &LobeTile, probe: Option<Probe>) -> LobeSpec {
-    let theta_i = tile.theta_i.get(tile.active);
-    LobeSpec {
-        theta_i: tile.theta_i.clone(),
-        active: tile.active,
-        scale: tile.scale,
-        with_cosine: tile.with_cosine,
-        channel: tile.channel,
-        probe: probe
-            .zip(theta_i)
-            .map(|(probe, theta_i)| probe.mark_in_plane(*theta_i)),
-        // Only a logarithm begins above 0; the limits may have been set on another scale.
-        limits: tile.limits.map(|[low, high]| match tile.scale {
-            RadialScale::Log => [low, high],
-            RadialScale::Linear | RadialScale::CubeRoot => [0.0, high],
-        }),
-        ..LobeSpec::default()
-    }
-}
-
-fn toolbar_ui(ui: &mut egui::Ui, tile: &LobeTile, out: &mut Vec<Msg>) {
+fn toolbar_ui(ui: &mut egui::Ui, tile: &LobeSettings, out: &mut Vec<Msg>) {
     ui.horizontal_wrapped(|ui| {
         for scale in RADIAL_SCALES {
             let response = ui.selectable_label(tile.scale == scale, scale.name());
@@ -77,7 +58,7 @@ fn toolbar_ui(ui: &mut egui::Ui, tile: &LobeTile, out: &mut Vec<Msg>) {
             if let Some(angle) =
                 controls::angle_ui(ui, &name, "Angle of incidence", *theta_i, range)
             {
-                out.push(Msg::SetLobes(with_theta_i(tile, index, angle.to_degrees())));
+                out.push(Msg::set_view(with_theta_i(tile, index, angle.to_degrees())));
             }
         }
         let few = tile.theta_i.len() < 5;
@@ -86,7 +67,7 @@ fn toolbar_ui(ui: &mut egui::Ui, tile: &LobeTile, out: &mut Vec<Msg>) {
             .on_hover_text("Add an angle")
             .clicked()
         {
-            out.push(Msg::SetLobes(added(tile)));
+            out.push(Msg::set_view(added(tile)));
         }
         let many = tile.theta_i.len() > 1;
         if ui
@@ -94,11 +75,11 @@ fn toolbar_ui(ui: &mut egui::Ui, tile: &LobeTile, out: &mut Vec<Msg>) {
             .on_hover_text("Remove the active angle")
             .clicked()
         {
-            out.push(Msg::SetLobes(removed(tile)));
+            out.push(Msg::set_view(removed(tile)));
         }
         ui.separator();
         if let Some(channel) = controls::channel_ui(ui, tile.channel) {
-            out.push(Msg::SetLobes(LobeTile {
+            out.push(Msg::set_view(LobeSettings {
                 channel,
                 ..tile.clone()
             }));
@@ -115,7 +96,7 @@ fn toolbar_ui(ui: &mut egui::Ui, tile: &LobeTile, out: &mut Vec<Msg>) {
     });
 }
 
-fn with_theta_i(tile: &LobeTile, index: usize, degrees: f64) -> LobeTile {
+fn with_theta_i(tile: &LobeSettings, index: usize, degrees: f64) -> LobeSettings {
     let mut tile = tile.clone();
     tile.theta_i[index] = degrees.clamp(0.0, MAX_THETA_I_DEG).to_radians();
     tile.active = index;
@@ -123,7 +104,7 @@ fn with_theta_i(tile: &LobeTile, index: usize, degrees: f64) -> LobeTile {
 }
 
 /// One more angle, in the widest gap.
-fn added(tile: &LobeTile) -> LobeTile {
+fn added(tile: &LobeSettings) -> LobeSettings {
     let mut stops: Vec<f64> = tile
         .theta_i
         .iter()
@@ -141,7 +122,7 @@ fn added(tile: &LobeTile) -> LobeTile {
     tile
 }
 
-fn removed(tile: &LobeTile) -> LobeTile {
+fn removed(tile: &LobeSettings) -> LobeSettings {
     let mut tile = tile.clone();
     tile.theta_i.remove(tile.active);
     tile.active = tile.active.min(tile.theta_i.len() - 1);
@@ -155,7 +136,7 @@ fn interact(
     plot: &LobePlot,
     out: &mut Vec<Msg>,
 ) {
-    let tile = &state.scene.lobes;
+    let tile = state.scene.views.get::<LobeSettings>();
     let Some(pointer) = response.interact_pointer_pos().or(response.hover_pos()) else {
         return;
     };
@@ -175,22 +156,24 @@ fn interact(
     if response.dragged_by(PointerButton::Primary) {
         if let Some(Some(index)) = ui.data(|data| data.get_temp::<Option<usize>>(id)) {
             let degrees = plot.frame.theta_i_at(point).to_degrees();
-            out.push(Msg::SetLobes(with_theta_i(tile, index, degrees)));
+            out.push(Msg::set_view(with_theta_i(tile, index, degrees)));
         }
         return;
     }
     if response.double_clicked() {
-        let scene = Scene::default();
-        out.push(Msg::SetLobes(LobeTile {
-            theta_i: scene.lobes.theta_i,
-            active: scene.lobes.active,
+        let LobeSettings {
+            theta_i, active, ..
+        } = LobeSettings::default();
+        out.push(Msg::set_view(LobeSettings {
+            theta_i,
+            active,
             limits: None,
             ..tile.clone()
         }));
     }
     if response.clicked() {
         match near {
-            Some(active) if !response.double_clicked() => out.push(Msg::SetLobes(LobeTile {
+            Some(active) if !response.double_clicked() => out.push(Msg::set_view(LobeSettings {
                 active,
                 ..tile.clone()
             })),
@@ -213,7 +196,7 @@ fn interact(
         .map(|factor| plot.frame.axis.zoomed(0.0, factor))
         .and_then(|ends| zoom::not_negative(&plot.frame.axis, ends))
     {
-        out.push(Msg::SetLobes(LobeTile {
+        out.push(Msg::set_view(LobeSettings {
             limits: Some(limits),
             ..tile.clone()
         }));
@@ -228,7 +211,7 @@ fn interact(
 }
 
 /// The active light and the view direction under the pointer.
-fn probe_at(tile: &LobeTile, plot: &LobePlot, point: Point) -> Option<Probe> {
+fn probe_at(tile: &LobeSettings, plot: &LobePlot, point: Point) -> Option<Probe> {
     let theta_o = plot.frame.theta_o_at(point)?;
     Some(Probe::in_plane(*tile.theta_i.get(tile.active)?, theta_o))
 }

@@ -1,25 +1,40 @@
-//! Settings of the polar lobes.
+//! Settings of the polar lobes: those of their figure.
 
-use crate::figure::Channel;
+use crate::app::state::probe::Probe;
+use crate::app::state::sanitize::{angles, limits};
+use crate::app::state::view_id::ViewId;
+use crate::app::state::view_settings::Settings;
+use crate::figure::lobes::LobeSpec;
 use crate::figure::scale::RadialScale;
-use crate::geom::degrees;
-use serde::{Deserialize, Serialize};
+use crate::geom::limits::MAX_THETA_I;
 
-/// What the lobe tile shows.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct LobeTile {
-    /// Angles of incidence in radians.
-    #[serde(with = "degrees")]
-    pub theta_i: Vec<f64>,
-    /// The one whose vectors are drawn.
-    pub active: usize,
-    /// Radius per f_r.
-    pub scale: RadialScale,
-    /// Whether f_r is multiplied by cos θi.
-    pub with_cosine: bool,
-    /// Which channel.
-    pub channel: Channel,
-    /// The values in the middle and at the rim, in 1/sr, where the wheel has set them.
-    #[serde(default)]
-    pub limits: Option<[f64; 2]>,
+/// Settings of the polar lobes. The probe is filled in while drawing.
+pub type LobeSettings = LobeSpec;
+
+impl Settings for LobeSettings {
+    const VIEW: ViewId = ViewId::Lobes;
+
+    fn sanitized(mut self) -> Self {
+        angles(&mut self.theta_i, MAX_THETA_I);
+        self.active = self.active.min(self.theta_i.len() - 1);
+        self.limits = limits(self.limits);
+        self.still = false;
+        self
+    }
+}
+
+/// The plot of these settings, with the probe on it.
+pub fn drawable(settings: &LobeSettings, probe: Option<Probe>) -> LobeSpec {
+    let theta_i = settings.theta_i.get(settings.active);
+    LobeSpec {
+        probe: probe
+            .zip(theta_i)
+            .map(|(probe, theta_i)| probe.mark_in_plane(*theta_i)),
+        // Only a logarithm begins above 0; the limits may have been set on another scale.
+        limits: settings.limits.map(|[low, high]| match settings.scale {
+            RadialScale::Log => [low, high],
+            RadialScale::Linear | RadialScale::CubeRoot => [0.0, high],
+        }),
+        ..settings.clone()
+    }
 }

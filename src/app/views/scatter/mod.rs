@@ -4,12 +4,12 @@ pub mod settings;
 
 use crate::app::msg::Msg;
 use crate::app::msg::library::LibraryMsg;
-use crate::app::panels::dialogs;
-use crate::app::panels::fit_details::percent;
 use crate::app::state::State;
 use crate::app::state::material::Material;
-use crate::app::views::scatter::settings::ScatterView;
+use crate::app::views::scatter::settings::ScatterSettings;
+use crate::app::widgets::empty;
 use crate::app::widgets::formula::number;
+use crate::app::widgets::formula::percent;
 use crate::app::widgets::zoom::Zoom;
 use crate::app::widgets::{paint, zoom};
 use crate::brdf::{Brdf, ParamId};
@@ -49,12 +49,12 @@ pub fn scatter_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool 
     let size = ui.available_size().max(Vec2::splat(60.0));
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "Scatter"));
-    let view = state.scene.scatter;
+    let view = *state.scene.views.get::<ScatterSettings>();
     let rows = rows(state);
     if rows.is_empty() {
         let text =
             "Fit the combined model to some materials, or to the folder, to compare them here.";
-        dialogs::empty_ui(ui, rect, text);
+        empty::empty_ui(ui, rect, text);
         return false;
     }
     let dots: Vec<ScatterDot> = rows.iter().map(|row| row.dot.clone()).collect();
@@ -63,12 +63,12 @@ pub fn scatter_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool 
     paint::paint(ui.painter(), rect.min, &plot.drawing, &palette);
     let moved = match zoom::gesture(ui, &response, &plot.frame) {
         Some(Zoom::X(ends)) => view.with_window(ends),
-        Some(Zoom::Reset) => ScatterView::default(),
+        Some(Zoom::Reset) => ScatterSettings::default(),
         // α is never beyond its axis.
         Some(Zoom::Y(_)) | None => view,
     };
     if moved != view {
-        out.push(Msg::SetScatter(moved));
+        out.push(Msg::set_view(moved));
     }
     let pointed = response.hover_pos().and_then(|at| {
         let at = at - rect.min;

@@ -1,11 +1,13 @@
 //! What the scatter of the materials is set to show.
 
+use crate::app::state::view_id::ViewId;
+use crate::app::state::view_settings::Settings;
 use serde::{Deserialize, Serialize};
 
 /// What the scatter shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
-pub struct ScatterView {
+pub struct ScatterSettings {
     /// Ends of the axis of s; around all materials without.
     pub window: Option<[f64; 2]>,
 }
@@ -14,7 +16,7 @@ pub struct ScatterView {
 const ENDS: [f64; 2] = [1e-4, 1e8];
 const CLOSEST: f64 = 1.05;
 
-impl ScatterView {
+impl ScatterSettings {
     /// With these ends, if they can be shown.
     pub fn with_window(self, ends: [f64; 2]) -> Self {
         let [low, high] = ends;
@@ -23,9 +25,12 @@ impl ScatterView {
             window: if shown { Some(ends) } else { self.window },
         }
     }
+}
 
-    /// The nearest one that can be shown.
-    pub fn sane(self) -> Self {
+impl Settings for ScatterSettings {
+    const VIEW: ViewId = ViewId::Scatter;
+
+    fn sanitized(self) -> Self {
         let whole = Self::default();
         self.window.map_or(whole, |ends| whole.with_window(ends))
     }
@@ -37,7 +42,7 @@ mod tests {
 
     #[test]
     fn ends_that_show_nothing_are_not_taken() {
-        let view = ScatterView::default().with_window([1.0, 10.0]);
+        let view = ScatterSettings::default().with_window([1.0, 10.0]);
         assert_eq!(view.window, Some([1.0, 10.0]));
         for odd in [
             [10.0, 1.0],
@@ -48,8 +53,8 @@ mod tests {
         ] {
             assert_eq!(view.with_window(odd), view);
             assert_eq!(
-                ScatterView { window: Some(odd) }.sane(),
-                ScatterView::default()
+                ScatterSettings { window: Some(odd) }.sanitized(),
+                ScatterSettings::default()
             );
         }
     }

@@ -1,7 +1,7 @@
 //! The toolbar of the slices.
 
 use crate::app::msg::Msg;
-use crate::app::views::slices::settings::SlicesView;
+use crate::app::views::slices::settings::SliceSettings;
 use crate::app::widgets::controls;
 use crate::app::widgets::controls::sized_choice_ui;
 use crate::figure::scale::{RADIAL_SCALES, RadialScale};
@@ -13,7 +13,7 @@ use crate::geom::limits::MAX_THETA_I_DEG;
 const MOST: usize = 5;
 
 /// Draws it. `shown` is what the plot shows: the view's own slices, or those through the probe.
-pub fn toolbar_ui(ui: &mut egui::Ui, view: &SlicesView, shown: &SliceSpec, out: &mut Vec<Msg>) {
+pub fn toolbar_ui(ui: &mut egui::Ui, view: &SliceSettings, shown: &SliceSpec, out: &mut Vec<Msg>) {
     let mut changed = view.clone();
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 5.0;
@@ -37,7 +37,7 @@ pub fn toolbar_ui(ui: &mut egui::Ui, view: &SlicesView, shown: &SliceSpec, out: 
         shown_ui(ui, &mut changed.spec);
     });
     if changed != *view {
-        out.push(Msg::SetSlices(changed));
+        out.push(Msg::set_view(changed));
     }
 }
 

@@ -6,7 +6,7 @@ use crate::app::msg::Msg;
 use crate::app::state::State;
 use crate::app::state::probe::Probe;
 use crate::app::state::subjects::Subjects;
-use crate::app::views::slices::settings::{SlicesView, mark, probe_at, through};
+use crate::app::views::slices::settings::{SliceSettings, mark, probe_at, through};
 use crate::app::widgets::legend::legend_ui;
 use crate::app::widgets::zoom::Zoom;
 use crate::app::widgets::{controls, paint, probe, zoom};
@@ -16,7 +16,7 @@ use egui::{Sense, Vec2};
 
 /// Draws the tile.
 pub fn slices_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
-    let view = &state.scene.slices;
+    let view = state.scene.views.get::<SliceSettings>();
     let shown = followed(ui, state, view);
     bar::toolbar_ui(ui, view, &shown, out);
     let (rect, response) = ui.allocate_exact_size(
@@ -46,7 +46,7 @@ fn pointer_id(ui: &egui::Ui) -> egui::Id {
 
 /// The slices at the probe's angles where they follow it. They keep still under the pointer, and keep the last angles
 /// when there is no probe.
-fn followed(ui: &egui::Ui, state: &State, view: &SlicesView) -> SliceSpec {
+fn followed(ui: &egui::Ui, state: &State, view: &SliceSettings) -> SliceSpec {
     let id = ui.scope_id().with("followed");
     if !view.follow {
         ui.data_mut(|data| data.remove::<Probe>(id));
@@ -73,7 +73,7 @@ fn interact(
     spec: &SliceSpec,
     out: &mut Vec<Msg>,
 ) {
-    let view = &state.scene.slices;
+    let view = state.scene.views.get::<SliceSettings>();
     if let Some(zoom) = zoom::gesture(ui, response, &plot.frame) {
         let mut changed = view.clone();
         let spec = &mut changed.spec;
@@ -87,7 +87,7 @@ fn interact(
             Zoom::Reset => (spec.window, spec.limits) = (None, None),
         }
         if changed != *view {
-            out.push(Msg::SetSlices(changed));
+            out.push(Msg::set_view(changed));
         }
     }
     let Some(pointer) = response.interact_pointer_pos().or(response.hover_pos()) else {

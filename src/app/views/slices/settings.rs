@@ -1,20 +1,39 @@
 //! What the slices are set to show, and where the probe is in them.
 
 use crate::app::state::probe::{Probe, same};
+use crate::app::state::sanitize::{angles, limits, window};
+use crate::app::state::view_id::ViewId;
+use crate::app::state::view_settings::Settings;
 use crate::figure::Mark;
 use crate::figure::slices::{Over, SliceSpec};
 use crate::geom::HalfDiff;
 use serde::{Deserialize, Serialize};
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// What the slices show.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
-pub struct SlicesView {
+pub struct SliceSettings {
     /// Its `probe` is left out: it is filled in while drawing.
     pub spec: SliceSpec,
     /// Whether the fixed angles are those of the probe.
     pub follow: bool,
+}
+
+impl Settings for SliceSettings {
+    const VIEW: ViewId = ViewId::Slices;
+
+    fn sanitized(mut self) -> Self {
+        let spec = &mut self.spec;
+        angles(&mut spec.theta_i, FRAC_PI_2);
+        spec.active = spec.active.min(spec.theta_i.len() - 1);
+        spec.theta_h = spec.theta_h.clamp(0.0, FRAC_PI_2);
+        spec.theta_d = spec.theta_d.clamp(0.0, FRAC_PI_2);
+        spec.phi_d = spec.phi_d.clamp(0.0, TAU);
+        spec.window = window(spec.window, spec.over.range());
+        spec.limits = limits(spec.limits);
+        self
+    }
 }
 
 /// The same slices at the probe's angles.

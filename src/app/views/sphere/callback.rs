@@ -2,8 +2,9 @@
 
 use crate::app::state::State;
 use crate::app::state::material::{Material, MaterialId, Opened, Presence};
-use crate::app::views::sphere::sight::Sight;
+use crate::app::views::sphere::settings::SphereSettings;
 use crate::app::views::sphere::{OnScreen, error};
+use crate::geom::sight::Sight;
 use crate::geom::sphere_error::SphereError;
 use crate::gpu::sphere_pass::{SpherePass, SphereSlot, SphereUniform};
 use crate::gpu::table_texture::TableTexture;
@@ -78,13 +79,13 @@ pub fn paint(
     let radius_px = 0.5 * sphere.rect.width() * painter.ctx().pixels_per_point();
     let scene = &state.scene;
     let uniform = SphereUniform::new(
-        &scene.sphere.view,
+        &scene.views.get::<SphereSettings>().view,
         &opened.brdf,
         scene.lookup,
         sphere.half.split(),
         radius_px,
     );
-    let Sight { zoom, center } = scene.sphere.sight;
+    let Sight { zoom, center } = scene.views.get::<SphereSettings>().sight;
     let uniform = uniform.in_sight(center, zoom);
     let (uniform, compared) = match sphere.half {
         Half::Error(error) => (uniform.comparing(error, &error::colors(error)), true),

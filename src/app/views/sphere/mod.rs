@@ -2,19 +2,18 @@
 pub mod callback;
 pub mod error;
 pub mod settings;
-pub mod sight;
 
 use crate::app::command::Command;
 use crate::app::msg::Msg;
-use crate::app::panels::dialogs;
 use crate::app::state::State;
 use crate::app::state::probe::{Probe, same};
 use crate::app::views::sphere::callback::Half;
-use crate::app::views::sphere::settings::{SHOWS, Show, SphereTile};
-use crate::app::views::sphere::sight::Sight;
+use crate::app::views::sphere::settings::{SHOWS, Show, SphereSettings};
+use crate::app::widgets::empty;
 use crate::app::widgets::{probe, zoom};
 use crate::geom::HalfDiff;
 use crate::geom::limits::MAX_EXPOSURE_STOPS;
+use crate::geom::sight::Sight;
 use crate::geom::sphere::{
     LIGHT_PRESETS, highlight_of, light_for_highlight_at, local_directions, point_of,
 };
@@ -27,7 +26,7 @@ const NEAR_HIGHLIGHT: f64 = 0.35;
 
 /// Draws the tile.
 pub fn sphere_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
-    let tile = &state.scene.sphere;
+    let tile = state.scene.views.get::<SphereSettings>();
     toolbar_ui(ui, state, tile, out);
     let (rect, response) = ui.allocate_exact_size(
         ui.available_size().max(Vec2::splat(40.0)),
@@ -35,7 +34,7 @@ pub fn sphere_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
     );
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "Sphere"));
     let Some((material, opened)) = state.current() else {
-        dialogs::empty_ui(ui, rect, "Open a material to see it on a sphere.");
+        empty::empty_ui(ui, rect, "Open a material to see it on a sphere.");
         return false;
     };
     let spheres = layout(rect, tile);
@@ -65,7 +64,7 @@ pub fn sphere_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
     response.contains_pointer()
 }
 
-fn toolbar_ui(ui: &mut egui::Ui, state: &State, tile: &SphereTile, out: &mut Vec<Msg>) {
+fn toolbar_ui(ui: &mut egui::Ui, state: &State, tile: &SphereSettings, out: &mut Vec<Msg>) {
     ui.horizontal_wrapped(|ui| {
         for show in SHOWS {
             let response = ui.selectable_label(tile.show == show, show.name());
@@ -102,12 +101,12 @@ fn toolbar_ui(ui: &mut egui::Ui, state: &State, tile: &SphereTile, out: &mut Vec
             .labelled_by(label.id)
             .on_hover_text("Exposure in stops. Double click on the word: 0.");
         if response.changed() {
-            out.push(Msg::SetSphere(with(tile, |tile| {
+            out.push(Msg::set_view(with(tile, |tile| {
                 tile.view.exposure_stops = exposure;
             })));
         }
         if label.interact(Sense::click()).double_clicked() {
-            out.push(Msg::SetSphere(with(tile, |tile| {
+            out.push(Msg::set_view(with(tile, |tile| {
                 tile.view.exposure_stops = 0.0;
             })));
         }
@@ -132,7 +131,7 @@ impl OnScreen {
     }
 }
 
-fn layout(rect: Rect, tile: &SphereTile) -> Vec<OnScreen> {
+fn layout(rect: Rect, tile: &SphereSettings) -> Vec<OnScreen> {
     let square = |rect: Rect, half| {
         let side = (rect.width().min(rect.height()) - 8.0).max(16.0);
         let frame = Rect::from_center_size(rect.center(), Vec2::splat(side));
@@ -215,7 +214,7 @@ pub(crate) fn word(ui: &egui::Ui, at: Pos2, align: Align2, text: &str, size: f32
 }
 
 /// Where the probe is under each light. A sphere under one light has one θd: elsewhere the mark is hollow.
-fn marks(ui: &egui::Ui, state: &State, tile: &SphereTile, spheres: &[OnScreen]) {
+fn marks(ui: &egui::Ui, state: &State, tile: &SphereSettings, spheres: &[OnScreen]) {
     let angles = state
         .probe()
         .and_then(|probe| HalfDiff::from_directions(probe.wi, probe.wo));
@@ -269,7 +268,7 @@ fn interact(
     spheres: &[OnScreen],
     out: &mut Vec<Msg>,
 ) {
-    let tile = &state.scene.sphere;
+    let tile = state.scene.views.get::<SphereSettings>();
     let Some(pointer) = response.interact_pointer_pos().or(response.hover_pos()) else {
         return;
     };
@@ -301,11 +300,11 @@ fn interact(
     if response.dragged_by(egui::PointerButton::Primary) {
         match ui.data(|data| data.get_temp(id)) {
             Some(Grabbed::Split) => {
-                out.push(Msg::SetSphere(with(tile, |tile| {
+                out.push(Msg::set_view(with(tile, |tile| {
                     tile.split = x.clamp(-1.0, 1.0);
                 })));
             }
-            Some(Grabbed::Light(light)) => out.push(Msg::SetSphere(with(tile, |tile| {
+            Some(Grabbed::Light(light)) => out.push(Msg::set_view(with(tile, |tile| {
                 if let Some(light) = tile.view.lights.get_mut(light) {
                     light.direction = light_for_highlight_at(x, y);
                 }
@@ -314,14 +313,14 @@ fn interact(
         }
     }
     if response.double_clicked() {
-        out.push(Msg::SetSphere(SphereTile {
+        out.push(Msg::set_view(SphereSettings {
             show: tile.show,
-            ..crate::app::state::Scene::default().sphere
+            ..SphereSettings::default()
         }));
     }
     if response.hovered() {
         if let Some(factor) = zoom::wheel(ui) {
-            out.push(Msg::SetSphere(with(tile, |tile| {
+            out.push(Msg::set_view(with(tile, |tile| {
                 tile.sight = tile.sight.zoomed(factor, [x, y]);
             })));
         }
@@ -342,7 +341,7 @@ fn interact(
 }
 
 /// The light whose highlight is near the point; else the first.
-fn nearest_light(tile: &SphereTile, x: f64, y: f64) -> usize {
+fn nearest_light(tile: &SphereSettings, x: f64, y: f64) -> usize {
     let distance = |index: usize| {
         let (hx, hy) = highlight_of(&tile.view.lights[index]);
         (hx - x).hypot(hy - y)
@@ -353,7 +352,7 @@ fn nearest_light(tile: &SphereTile, x: f64, y: f64) -> usize {
         .unwrap_or(0)
 }
 
-fn with(tile: &SphereTile, change: impl FnOnce(&mut SphereTile)) -> SphereTile {
+fn with(tile: &SphereSettings, change: impl FnOnce(&mut SphereSettings)) -> SphereSettings {
     let mut tile = tile.clone();
     change(&mut tile);
     tile

@@ -1,8 +1,14 @@
 //! Settings of the sphere.
 
-use crate::app::views::sphere::sight::Sight;
+use crate::app::state::sanitize::unit;
+use crate::app::state::view_id::ViewId;
+use crate::app::state::view_settings::Settings;
+use crate::geom::limits::MAX_EXPOSURE_STOPS;
+use crate::geom::sight::Sight;
+use crate::geom::sphere::MAX_LIGHTS;
 use crate::geom::sphere::SphereView;
 use crate::geom::sphere_error::SphereError;
+use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 /// Which parts of the picture the sphere shows.
@@ -45,9 +51,10 @@ impl Show {
     }
 }
 
-/// What the sphere tile shows.
+/// Settings of the sphere.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct SphereTile {
+#[serde(default)]
+pub struct SphereSettings {
     /// Lights and exposure.
     pub view: SphereView,
     /// Measured, model or both.
@@ -55,6 +62,41 @@ pub struct SphereTile {
     /// Where the split line is: −1 at the left rim, 1 at the right.
     pub split: f64,
     /// What of it is in sight.
-    #[serde(default)]
     pub sight: Sight,
+}
+
+impl Default for SphereSettings {
+    fn default() -> Self {
+        Self {
+            view: SphereView::default(),
+            show: Show::Split,
+            split: 0.0,
+            sight: Sight::default(),
+        }
+    }
+}
+
+/// The brightest light.
+const STRONGEST: f64 = 1e3;
+
+impl Settings for SphereSettings {
+    const VIEW: ViewId = ViewId::Sphere;
+
+    fn sanitized(mut self) -> Self {
+        let view = &mut self.view;
+        view.lights.truncate(MAX_LIGHTS);
+        if view.lights.is_empty() {
+            view.lights = SphereView::default().lights;
+        }
+        for light in &mut view.lights {
+            light.direction = unit(light.direction).unwrap_or(DVec3::Z);
+            light.strength = light.strength.map(|channel| channel.clamp(0.0, STRONGEST));
+        }
+        view.exposure_stops = view
+            .exposure_stops
+            .clamp(-MAX_EXPOSURE_STOPS, MAX_EXPOSURE_STOPS);
+        self.split = self.split.clamp(-1.0, 1.0);
+        self.sight = self.sight.sanitized();
+        self
+    }
 }

@@ -1,4 +1,4 @@
-//! Which part of the sphere is in sight.
+//! The part of a sphere that is in sight.
 
 use serde::{Deserialize, Serialize};
 
@@ -26,13 +26,21 @@ impl Default for Sight {
 
 impl Sight {
     /// The nearest one that can be shown.
-    pub fn sane(self) -> Self {
+    pub fn sanitized(self) -> Self {
         let finite = self.center.iter().all(|x| x.is_finite());
         if finite {
             self.zoomed(1.0, self.center)
         } else {
             Self::default()
         }
+    }
+
+    /// The point of the sphere at a place of the picture; both in units of the radius, x to the right and y up.
+    pub fn point(self, x: f64, y: f64) -> (f64, f64) {
+        (
+            self.center[0] + x / self.zoom,
+            self.center[1] + y / self.zoom,
+        )
     }
 
     /// Enlarged by `factor` around a point that stays where it is; the whole sphere where it would get smaller.
@@ -70,10 +78,10 @@ mod tests {
         assert!((near.zoom - 3.4).abs() < 1e-12);
         assert_eq!(near.zoomed(0.01, point), Sight::default());
         assert_eq!(near.zoomed(f64::NAN, point), Sight::default());
-        assert_eq!(near.sane(), near);
+        assert_eq!(near.sanitized(), near);
         let odd = |zoom, x| {
             let center = [x, 0.0];
-            Sight { zoom, center }.sane()
+            Sight { zoom, center }.sanitized()
         };
         assert_eq!(odd(4.0, f64::NAN), Sight::default());
         assert_eq!(odd(-4.0, 0.5), Sight::default());

@@ -3,6 +3,7 @@
 use crate::app::state::State;
 use crate::app::state::fitting::kept::{KeptFit, variant_name};
 use crate::app::widgets::formula::number;
+use crate::app::widgets::formula::percent;
 use crate::app::widgets::paint::rich_text_job;
 use crate::brdf::params::ALL;
 use crate::figure::text::RichText;
@@ -12,22 +13,6 @@ use crate::geom::limits::GRAZING_THETA_DEG;
 
 /// Marks an albedo.
 const ABOVE_ONE: &str = "   > 1";
-
-/// E in percent with two decimals, as markup.
-pub fn hundredths(error: f64) -> String {
-    if error.is_nan() {
-        "–".into()
-    } else if error < 100.0 {
-        format!("{:.2}", 100.0 * error)
-    } else {
-        number(100.0 * error)
-    }
-}
-
-/// E with its unit, as markup.
-pub fn percent(error: f64) -> String {
-    format!("{} %", hundredths(error))
-}
 
 /// What E means under a weight.
 pub fn meaning(weight: Weight) -> &'static str {
