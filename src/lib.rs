@@ -1,6 +1,6 @@
 //! Grazing, a desktop BRDF explorer for the angles at which Phong models go wrong.
 //!
-//! Modules in dependency order; each may use those above it, and `tests/tidy.rs` keeps the arrows one-way:
+//! Modules in dependency order; each may use those above it, and `tests/house/tidy.rs` keeps the arrows one-way:
 //!
 //! | module | what it is | knows nothing of |
 //! |---|---|---|

@@ -1,6 +1,6 @@
 //! wgpu without egui: the adapter, tables as textures, the sphere pass, pictures off screen.
 //!
-//! WGSL mirrors the CPU function by function; `tests/parity.rs` compares the two as numbers.
+//! WGSL mirrors the CPU function by function; `tests/window/parity.rs` compares the two as numbers.
 
 pub mod adapter;
 pub mod lobe3d_pass;

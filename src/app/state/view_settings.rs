@@ -30,7 +30,10 @@ impl SettingsKind {
     pub const fn of<T: Settings>() -> Self {
         Self {
             default: || AnySettings::new(T::default()),
-            read: |value| T::deserialize(value).map(AnySettings::new),
+            read: |value| {
+                let known = serde_json::to_value(T::default())?;
+                T::deserialize(with_known_keys(value, &known)).map(AnySettings::new)
+            },
         }
     }
 
@@ -45,6 +48,20 @@ impl SettingsKind {
     /// What is not understood.
     pub fn read(&self, value: &Value) -> Result<AnySettings, serde_json::Error> {
         (self.read)(value)
+    }
+}
+
+/// A value without the keys that `known` lacks: a session names them and opens without them, though a figure's spec
+/// refuses them.
+fn with_known_keys(value: &Value, known: &Value) -> Value {
+    match (value, known) {
+        (Value::Object(value), Value::Object(known)) => {
+            let kept = value.iter().filter_map(|(key, value)| {
+                Some((key.clone(), with_known_keys(value, known.get(key)?)))
+            });
+            Value::Object(kept.collect())
+        }
+        _ => value.clone(),
     }
 }
 

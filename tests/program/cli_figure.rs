@@ -1,0 +1,369 @@
+//! `grazing figure` as an author meets it: files that other programs read, the same bytes again, one line for what is
+//! wrong.
+#![cfg(target_os = "linux")]
+
+use crate::common::program::{Folder, failed, grazing, stderr, succeeded};
+use resvg::usvg;
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// A sample as a file, and a fit file that says all three models of it: nothing is fitted.
+fn material(folder: &Folder) -> (PathBuf, PathBuf) {
+    let data = folder.path("lacquer.binary");
+    succeeded(&grazing(&[&"sample", &"green-lacquer", &"-o", &data]));
+    let model = |model: &str, alpha: &str, s: f64| {
+        format!(
+            r#"{{"model": "{model}", "fresnel": "exact", "material": "lacquer",
+                "source": {{"path": "lacquer.binary"}}, "error": 0.1,
+                "rho_d": [0.02, 0.1, 0.05], "k_s": [30, 31, 32], "s": {s}, "alpha": {alpha}, "eta": 1.5}}"#
+        )
+    };
+    let fits = [
+        model("phong", "null", 60.0),
+        model("blinn-phong", "null", 250.0),
+        model("combined", "0.4", 80.0),
+    ];
+    let fits = folder.file("fits.json", format!("[{}]", fits.join(",")));
+    (data, fits)
+}
+
+fn figure(input: &Path, output: &Path, options: &str) -> Output {
+    let mut args: Vec<&dyn AsRef<std::ffi::OsStr>> = vec![&"figure", &input, &"-o", &output];
+    let options: Vec<&str> = options.split_whitespace().collect();
+    for option in &options {
+        args.push(option);
+    }
+    grazing(&args)
+}
+
+fn run(program: &str, args: &[&str], path: &Path) -> String {
+    let output = Command::new(program).args(args).arg(path).output();
+    let output =
+        output.unwrap_or_else(|error| panic!("{program}: {error}; apt install poppler-utils"));
+    assert!(output.status.success(), "{}", stderr(&output));
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+/// The text that `pdftotext` finds in a PDF.
+fn text_of(pdf: &Path, layout: &str) -> String {
+    let txt = pdf.with_extension("txt");
+    let said = Command::new("pdftotext")
+        .arg(layout)
+        .args([pdf, &txt])
+        .output();
+    assert!(said.expect("poppler-utils").status.success());
+    fs::read_to_string(txt).expect("text")
+}
+
+#[test]
+fn every_preset_is_a_pdf_that_other_programs_read() {
+    let folder = Folder::new();
+    let (_, fits) = material(&folder);
+    let cases = [
+        (
+            "poster",
+            vec![
+                "lacquer",
+                "Measured",
+                "Blinn-Phong",
+                "30°",
+                "sr−1",
+                "luminance",
+            ],
+        ),
+        ("sphere", vec!["measured", "model"]),
+        ("lobes", vec!["lacquer", "Combined", "ωi", "cube root"]),
+        ("slices", vec!["θo [°]", "model / measured", "log10"]),
+        ("image-slice", vec!["θh", "θd", "90°", "model − measured"]),
+        ("albedo", vec!["albedo", "θi", "measured share"]),
+        ("lobe3d", vec!["fr [sr−1]", "θi = 60°"]),
+        ("error-map", vec!["E =", "θo"]),
+        ("landscape", vec!["α (0 Phong, 1 Blinn-Phong)", "η = 1.5"]),
+        ("scatter", vec!["lacquer", "Blinn-Phong", "α over s"]),
+    ];
+    for (preset, words) in cases {
+        let pdf = folder.path(&format!("{preset}.pdf"));
+        let said = figure(&fits, &pdf, &format!("--preset {preset} --dpi 60"));
+        succeeded(&said);
+        let fonts = Command::new("pdffonts")
+            .arg(&pdf)
+            .output()
+            .expect("poppler-utils");
+        let fonts = String::from_utf8_lossy(&fonts.stdout).into_owned();
+        assert!(fonts.contains("LiberationSans"), "{preset}: {fonts}");
+        let embedded = fonts
+            .lines()
+            .skip(2)
+            .all(|line| line.contains(" yes yes yes "));
+        assert!(embedded, "{preset}: {fonts}");
+        let text = text_of(&pdf, "-layout");
+        // Scripts are lines of their own there.
+        let plain = text_of(&pdf, "-raw").replace(['\n', ' '], "");
+        for word in words {
+            let found = plain.contains(&word.replace(' ', "")) || text.contains(word);
+            assert!(found, "{preset} lacks {word}: {text}");
+        }
+        let png = run("pdftoppm", &["-r", "40", "-png"], &pdf);
+        assert!(png.len() > 500, "{preset}");
+        assert!(folder.path(&format!("{preset}.figure.json")).is_file());
+    }
+}
+
+#[test]
+fn a_figure_is_drawn_again_byte_by_byte_from_its_spec() {
+    let folder = Folder::new();
+    let (_, fits) = material(&folder);
+    for format in ["pdf", "svg", "png", "csv"] {
+        let first = folder.path(&format!("lobes.{format}"));
+        succeeded(&figure(
+            &fits,
+            &first,
+            "--preset lobes --theta-i 20,55.5 --force",
+        ));
+        let spec = folder.path("lobes.figure.json");
+        let text = fs::read_to_string(&spec).expect("a spec");
+        let again = folder.path(&format!("again.{format}"));
+        succeeded(&figure(&spec, &again, "--force"));
+        assert!(fs::read(&first).expect("a figure") == fs::read(&again).expect("a figure"));
+        let value: Value = serde_json::from_str(&text).expect("JSON");
+        assert_eq!(
+            value["rows"][0]["panels"][0]["view"]["lobes"]["theta_i"][1],
+            55.5
+        );
+        assert_eq!(
+            value["subjects"][0]["source"]["measured"]["file"]["bytes"],
+            34_992_012
+        );
+        // Planted: another option is another figure.
+        let other = folder.path(&format!("other.{format}"));
+        let options = if format == "csv" {
+            "--preset slices"
+        } else {
+            "--font 7"
+        };
+        let source = if format == "csv" { &fits } else { &spec };
+        succeeded(&figure(source, &other, &format!("{options} --force")));
+        assert!(fs::read(&first).expect("a figure") != fs::read(&other).expect("a figure"));
+    }
+}
+
+/// The corners of the paths of an SVG with a stroke of a colour, longest first, in points.
+fn curves(svg: &str, color: [u8; 3]) -> Vec<Vec<[f32; 2]>> {
+    fn walk(group: &usvg::Group, color: [u8; 3], out: &mut Vec<Vec<[f32; 2]>>) {
+        for node in group.children() {
+            match node {
+                usvg::Node::Group(group) => walk(group, color, out),
+                usvg::Node::Path(path) => {
+                    let stroke = path.stroke().map(|stroke| stroke.paint());
+                    let [r, g, b] = color;
+                    if stroke == Some(&usvg::Paint::Color(usvg::Color::new_rgb(r, g, b))) {
+                        let points = path.data().points();
+                        out.push(points.iter().map(|p| [p.x, p.y]).collect());
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+    let tree = usvg::Tree::from_str(svg, &usvg::Options::default()).expect("an SVG");
+    let mut out = Vec::new();
+    walk(tree.root(), color, &mut out);
+    out.sort_by_key(|points| std::cmp::Reverse(points.len()));
+    out
+}
+
+#[test]
+fn curves_in_the_svg_are_what_eval_says() {
+    let folder = Folder::new();
+    let model = r#"{"model": "combined", "fresnel": "none", "rho_d": [0.5, 0.5, 0.5],
+                    "k_s": [2, 2, 2], "s": 25, "alpha": 0.3}"#;
+    let source = folder.file("model.json", model);
+    let axis = r#"{"theta_i": [40], "scale": "linear", "limits": [0, 4], "window": [-60, 60]}"#;
+    let spec = format!(
+        r#"{{"subjects": [{{"label": "m", "source": {{"model": {model}}}}}],
+            "rows": [{{"panels": [{{"subjects": [0], "view": {{"slices": {axis}}}}}]}}]}}"#
+    );
+    let spec = folder.file("slice.figure.json", spec);
+    let svg = folder.path("slice.svg");
+    succeeded(&figure(&spec, &svg, ""));
+    let svg = fs::read_to_string(&svg).expect("an SVG");
+    // The first series' blue. Solid or dashed, the curve is one path; the legend's piece of line is short.
+    let curve = &curves(&svg, [0x00, 0x68, 0xb0])[0];
+    assert!(curve.len() > 30, "{} corners", curve.len());
+    // The frame of the plot: where −60° and 60°, 0 and 4 are, from the ends of the curve and two of its values.
+    let eval = |theta_o: f64| -> f64 {
+        let phi_o = if theta_o < 0.0 { 180 } else { 0 };
+        let rows = format!(
+            "theta_i,phi_i,theta_o,phi_o\n40,180,{},{phi_o}\n",
+            theta_o.abs()
+        );
+        let directions = folder.file("d.csv", rows);
+        let said = succeeded(&grazing(&[&"eval", &source, &"--directions", &directions]));
+        let last = said.lines().last().expect("a row");
+        last.rsplit(',')
+            .next()
+            .expect("a value")
+            .parse()
+            .expect("a number")
+    };
+    let (first, last) = (curve[0], curve[curve.len() - 1]);
+    let angle = |x: f32| -60.0 + 120.0 * f64::from(x - first[0]) / f64::from(last[0] - first[0]);
+    let top = curve
+        .iter()
+        .min_by(|a, b| a[1].total_cmp(&b[1]))
+        .expect("corners");
+    assert!((angle(top[0]) - 40.0).abs() < 0.2);
+    let (low, high) = (eval(-60.0), eval(angle(top[0])));
+    let per_point = (high - low) / f64::from(first[1] - top[1]);
+    let value = |y: f32| low + per_point * f64::from(first[1] - y);
+    let mut worst = 0.0_f64;
+    for [x, y] in curve.iter().step_by(curve.len() / 25) {
+        worst = worst.max((value(*y) - eval(angle(*x))).abs() / 4.0);
+    }
+    assert!(worst < 1e-4, "{worst} of the axis");
+    // Planted: a curve that is 1 % off.
+    let [x, y] = curve[curve.len() / 2];
+    assert!((1.01 * value(y) - eval(angle(x))).abs() / 4.0 > 1e-4);
+}
+
+#[test]
+fn a_source_that_is_missing_or_changed_is_named() {
+    let folder = Folder::new();
+    let (data, fits) = material(&folder);
+    let out = folder.path("lobes.svg");
+    succeeded(&figure(&fits, &out, "--preset lobes"));
+    let spec = folder.path("lobes.figure.json");
+    let again = folder.path("again.svg");
+    let mut bytes = fs::read(&data).expect("the data");
+    bytes[20_000_000] ^= 1;
+    fs::write(&data, &bytes).expect("is written");
+    failed(
+        &figure(&spec, &again, ""),
+        &data,
+        "not the one that the figure was drawn from",
+    );
+    assert!(!again.exists());
+    succeeded(&figure(&spec, &again, "--changed"));
+    fs::remove_file(&data).expect("is removed");
+    failed(&figure(&spec, &again, "--force"), &data, "is missing");
+    // Moved along with the figure it is found.
+    let moved = Folder::new();
+    bytes[20_000_000] ^= 1;
+    moved.file("lacquer.binary", &bytes);
+    let spec = moved.file("lobes.figure.json", fs::read(&spec).expect("a spec"));
+    let there = moved.path("there.svg");
+    succeeded(&figure(&spec, &there, ""));
+    assert_eq!(
+        fs::read(&there).expect("a figure"),
+        fs::read(&out).expect("a figure")
+    );
+}
+
+#[test]
+fn what_is_there_is_not_replaced_unasked() {
+    let folder = Folder::new();
+    let (_, fits) = material(&folder);
+    let out = folder.file("lobes.svg", "mine");
+    failed(
+        &figure(&fits, &out, "--preset lobes"),
+        &out,
+        "exists already; --force replaces it",
+    );
+    assert_eq!(fs::read(&out).expect("is there"), b"mine");
+    fs::remove_file(&out).expect("is removed");
+    let spec = folder.file("lobes.figure.json", "mine too");
+    failed(
+        &figure(&fits, &out, "--preset lobes"),
+        &spec,
+        "exists already",
+    );
+    assert!(!out.exists());
+    succeeded(&figure(&fits, &out, "--preset lobes --force"));
+    let nowhere = folder.path("no/lobes.svg");
+    failed(
+        &figure(&fits, &nowhere, "--preset lobes"),
+        &nowhere,
+        "no directory",
+    );
+}
+
+#[test]
+fn a_figure_that_is_killed_leaves_the_old_file() {
+    let folder = Folder::new();
+    let (_, fits) = material(&folder);
+    let out = folder.path("poster.pdf");
+    for millis in [20, 150, 400, 900] {
+        fs::write(&out, "the old one").expect("is written");
+        let mut child = Command::new(env!("CARGO_BIN_EXE_grazing"))
+            .args([
+                "figure", "--preset", "poster", "--force", "--dpi", "200", "-o",
+            ])
+            .args([&out, &fits])
+            .spawn()
+            .expect("the program starts");
+        std::thread::sleep(std::time::Duration::from_millis(millis));
+        // It may be done already.
+        let _ = child.kill();
+        child.wait().expect("it ends");
+        let bytes = fs::read(&out).expect("a file");
+        let whole = bytes.starts_with(b"%PDF-") && bytes.trim_ascii_end().ends_with(b"%%EOF");
+        assert!(bytes == b"the old one" || whole, "{} bytes", bytes.len());
+    }
+}
+
+#[test]
+fn wrong_options_and_files_have_one_line_each() {
+    let folder = Folder::new();
+    let (data, fits) = material(&folder);
+    let out = folder.path("f.svg");
+    let usage = |input: &Path, output: &Path, options: &str, said: &str| {
+        let result = figure(input, output, options);
+        assert_eq!(result.status.code(), Some(2), "{}", stderr(&result));
+        assert!(stderr(&result).contains(said), "{}", stderr(&result));
+    };
+    usage(
+        &fits,
+        &folder.path("f.gif"),
+        "--preset lobes",
+        "expected one of .svg, .pdf",
+    );
+    usage(&fits, &out, "--preset picture", "possible values: poster");
+    usage(
+        &fits,
+        &out,
+        "--preset lobes --theta-i 95",
+        "expected 0 to less than 90 degrees",
+    );
+    usage(&fits, &fits, "--preset lobes", "expected one of .svg");
+    usage(&fits, &out, "--theta-i 20", "--preset");
+    let fails = |input: &Path, options: &str, said: &str| {
+        let result = figure(input, &out, options);
+        let line = stderr(&result);
+        assert_eq!(result.status.code(), Some(1), "{line}");
+        assert!(line.contains(said) && line.lines().count() == 1, "{line}");
+        assert!(!out.exists());
+    };
+    fails(&data, "", "not valid JSON");
+    fails(&fits, "", "this is no figure");
+    fails(
+        &fits,
+        "--preset lobes --width 5",
+        "width_mm is 5; expected 20 to 2000",
+    );
+    fails(&folder.path("none.json"), "", "no such file");
+    let spec = |text: &str| folder.file("bad.figure.json", text);
+    fails(&spec(r#"{"subjects": [], "rows": []}"#), "", "no panels");
+    fails(
+        &spec(r#"{"subjects": [], "rows": [{"panels": [{"subjects": [3], "view": "scatter"}]}]}"#),
+        "",
+        "a panel names subject 3; the figure has 0",
+    );
+    let lobes = r#"{"panels": [{"subjects": [], "view": {"lobes": {"theta": [3]}}}]}"#;
+    let text = format!(r#"{{"subjects": [], "rows": [{lobes}]}}"#);
+    fails(&spec(&text), "", "unknown field `theta`");
+    let survey = r#"{"panels": [{"subjects": [], "view": {"landscape": {}}}]}"#;
+    let text = format!(r#"{{"subjects": [], "rows": [{survey}]}}"#);
+    fails(&spec(&text), "", "needs a measured material");
+}

@@ -1,0 +1,14 @@
+//! The built program as a person or a script meets it.
+
+#[path = "../common"]
+mod common {
+    pub mod program;
+}
+
+mod cli;
+mod cli_export;
+mod cli_figure;
+mod cli_fit;
+mod cli_render;
+mod startup;
+mod views;

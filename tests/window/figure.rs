@@ -1,0 +1,205 @@
+//! Figures out of the window: the dialog, the file it writes, and what is put on the clipboard.
+
+use crate::common::skip_gpu;
+use crate::common::window::{Window, run, settle, window, window_with};
+use egui::accesskit::Role;
+use egui_kittest::kittest::Queryable;
+use grazing::app::Picker;
+use grazing::app::command::Command;
+use grazing::app::msg::Msg;
+use grazing::app::msg::figure::FigureMsg;
+use grazing::app::paper::figure::figure_of;
+use grazing::app::paper::work::PreviewQuery;
+use grazing::app::state::State;
+use grazing::app::state::notice::Dialog;
+use grazing::app::state::views::VIEWS;
+use grazing::app::state::views::ViewId;
+use grazing::export::{FigureSpec, Format};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// A window whose dialog for saving answers with this path.
+fn saving_to(path: PathBuf) -> Window {
+    let picker = Picker {
+        open: Arc::new(Vec::new),
+        folder: Arc::new(|| None),
+        save: Arc::new(move |_| Some(path.clone())),
+    };
+    window_with(vec![], picker)
+}
+
+fn handle(window: &mut Window, msg: Msg) {
+    let ctx = window.ctx.clone();
+    window.state_mut().handle(&ctx, msg);
+    window.run_steps(2);
+}
+
+fn said(state: &State, text: &str) -> bool {
+    state
+        .notices
+        .iter()
+        .any(|notice| notice.text.contains(text))
+}
+
+/// Draws a figure from its spec without the window.
+fn draw_again(spec: &Path, to: &Path) {
+    let output = process::Command::new(env!("CARGO_BIN_EXE_grazing"))
+        .args(["figure", "--force", "-o"])
+        .args([to, spec])
+        .output()
+        .expect("the program");
+    assert!(output.status.success(), "{output:?}");
+}
+
+#[test]
+fn the_window_and_the_command_write_the_same_bytes() {
+    if skip_gpu() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    for format in [Format::Svg, Format::Pdf, Format::Csv] {
+        let path = folder.path().join(format!("lobes.{}", format.extension()));
+        let mut window = saving_to(path.clone());
+        run(&mut window, Command::ExportFigure);
+        assert_eq!(window.state().state().dialog, Some(Dialog::Figure));
+        let mut prefs = window.state().state().prefs.figure.clone();
+        prefs.format = format;
+        prefs.style.font_pt = 7.5;
+        handle(&mut window, Msg::Figure(FigureMsg::Set(prefs)));
+        handle(
+            &mut window,
+            Msg::Figure(FigureMsg::Choose(vec![ViewId::Lobes, ViewId::Slices])),
+        );
+        settle(&mut window, |state| {
+            state.caches.last::<PreviewQuery>().is_some()
+        });
+        window
+            .get_by_role_and_label(Role::Button, "Export…")
+            .click();
+        settle(&mut window, |state| said(state, "Saved"));
+        let first = fs::read(&path).expect("a figure");
+        let spec = folder.path().join("lobes.figure.json");
+        let again = folder.path().join(format!("again.{}", format.extension()));
+        draw_again(&spec, &again);
+        assert!(fs::read(&again).expect("a figure") == first, "{format:?}");
+        // Planted: one angle off is other bytes.
+        let text = fs::read_to_string(&spec).expect("a spec");
+        let mut value: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        assert_eq!(value["style"]["font_pt"], 7.5);
+        let theta_i = &mut value["rows"][0]["panels"][0]["view"]["lobes"]["theta_i"][0];
+        assert_eq!(*theta_i, 30.0);
+        *theta_i = 31.0.into();
+        fs::write(&spec, value.to_string()).expect("is written");
+        draw_again(&spec, &again);
+        assert!(fs::read(&again).expect("a figure") != first, "{format:?}");
+    }
+}
+
+#[test]
+fn every_view_can_be_put_on_paper() {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = window(vec![], vec![]);
+    run(&mut window, Command::Fit);
+    settle(&mut window, |state| {
+        state.fit.run.is_none() && state.current().is_some_and(|(m, _)| !m.fits.is_empty())
+    });
+    let state = window.state().state();
+    let panes: Vec<ViewId> = VIEWS
+        .iter()
+        .map(|row| row.id)
+        .filter(|pane| *pane != ViewId::Fits)
+        .collect();
+    for pane in &panes {
+        let figure = figure_of(state, &[*pane], 1, &state.prefs.figure.style);
+        let figure = figure.unwrap_or_else(|| panic!("{pane:?}"));
+        let again = FigureSpec::from_json(&figure.spec.to_json()).expect("is read");
+        assert_eq!(again, figure.spec, "{pane:?}");
+    }
+    assert_eq!(
+        figure_of(state, &[ViewId::Fits], 1, &state.prefs.figure.style),
+        None
+    );
+}
+
+#[test]
+fn a_place_that_cannot_be_written_to_is_named_and_a_foreign_file_is_kept() {
+    if skip_gpu() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let export = |path: PathBuf, wanted: &str| {
+        let mut window = saving_to(path);
+        run(&mut window, Command::ExportFigure);
+        handle(&mut window, Msg::Figure(FigureMsg::Export));
+        settle(&mut window, |state| said(state, wanted));
+    };
+    export(folder.path().join("no/lobes.svg"), "there is no directory");
+    let mine = folder.path().join("lobes.figure.json");
+    fs::write(&mine, "my own notes").expect("is written");
+    export(folder.path().join("lobes.svg"), "is no figure");
+    assert_eq!(fs::read(&mine).expect("is there"), b"my own notes");
+    assert!(!folder.path().join("lobes.svg").exists());
+}
+
+/// Moves the pointer onto a view and copies; what was copied, once it is there.
+fn copied(window: &mut Window, command: Command, view: &str) -> egui::OutputCommand {
+    hover(window, view);
+    let ctx = window.ctx.clone();
+    window.state_mut().handle(&ctx, Msg::Run(command));
+    let start = Instant::now();
+    loop {
+        window.step();
+        // What one frame puts out is gone with the next.
+        if let Some(found) = window.output().platform_output.commands.first() {
+            return found.clone();
+        }
+        let notices = &window.state().state().notices;
+        assert!(start.elapsed() < Duration::from_secs(60), "{notices:?}");
+    }
+}
+
+fn hover(window: &mut Window, view: &str) {
+    let image = window.get_by_role_and_label(Role::Image, view);
+    let at = image.rect().center();
+    window.hover_at(at);
+    window.run_steps(3);
+}
+
+#[test]
+fn the_view_under_the_pointer_is_copied_as_a_picture_and_as_numbers() {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = window(vec![], vec![]);
+    match copied(&mut window, Command::Copy, "Polar lobes") {
+        egui::OutputCommand::CopyImage(image) => {
+            // 85 mm at 300 dpi on white.
+            assert_eq!(image.size[0], 1004);
+            assert_eq!(image.pixels[0], egui::Color32::WHITE);
+            assert!(image.pixels.iter().any(|pixel| pixel.r() < 60));
+        }
+        other => panic!("{other:?}"),
+    }
+    match copied(&mut window, Command::CopyNumbers, "Polar lobes") {
+        egui::OutputCommand::CopyText(text) => {
+            let mut lines = text.lines();
+            let head = lines.next().expect("names");
+            assert!(
+                head.starts_with("panel\tquantity\tchannel\tcurve"),
+                "{head}"
+            );
+            assert!(lines.count() > 1000);
+        }
+        other => panic!("{other:?}"),
+    }
+    hover(&mut window, "Sphere");
+    run(&mut window, Command::CopyNumbers);
+    settle(&mut window, |state| {
+        said(state, "Sphere: this view has no numbers")
+    });
+}

@@ -1,0 +1,387 @@
+//! The real window, driven by accessible names.
+
+use crate::common::window::{Window, click, drag, press, s, set_slider, settle, value, window};
+use crate::common::{skip_gpu, write_merl};
+use egui::accesskit::Role;
+use egui::{Key, Modifiers};
+use egui_kittest::kittest::{NodeT, Queryable};
+use grazing::app::state::notice::Dialog;
+use grazing::app::state::notice::Level;
+use grazing::app::views::lobes::settings::LobeSettings;
+use grazing::app::views::sphere::settings::Show;
+use grazing::app::views::sphere::settings::SphereSettings;
+use grazing::brdf::{Fresnel, ParamId};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Duration;
+
+#[test]
+fn it_starts_with_a_synthetic_sample_and_a_model_over_it() {
+    if skip_gpu() {
+        return;
+    }
+    let window = window(vec![], vec![]);
+    let state = window.state().state();
+    let (material, opened) = state.current().expect("a material");
+    assert!(material.name.contains("synthetic"), "{}", material.name);
+    assert!(opened.brdf.params.k_s[0] > 0.0);
+    assert!(!state.history.can_undo(), "the start is no step");
+    assert_eq!(state.notices, []);
+}
+
+#[test]
+fn a_slider_moves_the_model_and_undo_takes_it_back() {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = window(vec![], vec![]);
+    let before = s(&window);
+    set_slider(&mut window, "s", 123.0);
+    assert!((s(&window) - 123.0).abs() < 1.0, "{}", s(&window));
+    press(&mut window, Modifiers::COMMAND, Key::Z);
+    assert_eq!(s(&window), before);
+    press(&mut window, Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+    assert!((s(&window) - 123.0).abs() < 1.0);
+    assert!(!window.state().state().history.can_redo());
+}
+
+#[test]
+fn a_drag_with_the_pointer_is_one_step() {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = window(vec![], vec![]);
+    let before = value(&window, ParamId::Alpha);
+    let rect = window.get_by_role_and_label(Role::Slider, "alpha").rect();
+    let at = |share: f32| egui::pos2(rect.left() + share * rect.width(), rect.center().y);
+    drag(&mut window, &[0.5, 0.3, 0.4, 0.2, 0.1].map(at));
+    assert!(
+        value(&window, ParamId::Alpha) < 0.2,
+        "{}",
+        value(&window, ParamId::Alpha)
+    );
+    press(&mut window, Modifiers::COMMAND, Key::Z);
+    assert_eq!(value(&window, ParamId::Alpha), before);
+    assert!(!window.state().state().history.can_undo());
+}
+
+#[test]
+fn switching_the_model_keeps_the_look_and_greys_what_it_lacks() {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = window(vec![], vec![]);
+    set_slider(&mut window, "alpha", 1.0);
+    set_slider(&mut window, "s", 50.0);
+    let exponent = s(&window);
+    click(&mut window, "Blinn-Phong");
+    assert!((s(&window) / (4.0 * exponent) - 1.0).abs() < 1e-9);
+    assert!(
+        window
+            .get_by_role_and_label(Role::Slider, "alpha")
+            .accesskit_node()
+            .is_disabled()
+    );
+    press(&mut window, Modifiers::COMMAND, Key::Num3);
+    assert!((s(&window) / exponent - 1.0).abs() < 1e-9);
+    assert_eq!(value(&window, ParamId::Alpha), 1.0);
+    click(&mut window, "None");
+    assert_eq!(
+        window
+            .state()
+            .state()
+            .current()
+            .expect("one")
+            .1
+            .brdf
+            .fresnel,
+        Fresnel::None
+    );
+    assert!(
+        window
+            .get_by_role_and_label(Role::Slider, "eta")
+            .accesskit_node()
+            .is_disabled()
+    );
+}
+
+#[test]
+fn a_double_click_on_a_name_resets_that_parameter() {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = window(vec![], vec![]);
+    set_slider(&mut window, "s", 1234.0);
+    let alpha = value(&window, ParamId::Alpha);
+    for _ in 0..2 {
+        window.get_by_label_contains("specular exponent").click();
+    }
+    window.run_steps(3);
+    let default = grazing::brdf::params::S.default;
+    assert_eq!(
+        (s(&window), value(&window, ParamId::Alpha)),
+        (default, alpha)
+    );
+}
+
+#[test]
+fn grey_moves_the_channels_as_one() {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = window(vec![], vec![]);
+    set_slider(&mut window, "rho_d R", 0.7);
+    let rho_d = |window: &Window| {
+        window
+            .state()
+            .state()
+            .current()
+            .expect("one")
+            .1
+            .brdf
+            .params
+            .rho_d
+    };
+    assert!((rho_d(&window)[0] - 0.7).abs() < 0.01 && rho_d(&window)[1] != rho_d(&window)[0]);
+    window
+        .get_by_role_and_label(Role::CheckBox, "rho_d grey")
+        .click_accesskit();
+    window.run_steps(3);
+    set_slider(&mut window, "rho_d", 0.25);
+    let [r, g, b] = rho_d(&window);
+    assert!(
+        r == g && g == b && (r - 0.25).abs() < 0.01,
+        "{:?}",
+        rho_d(&window)
+    );
+}
+
+#[test]
+fn files_open_through_the_dialog_and_bad_ones_leave_the_rest() {
+    if skip_gpu() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let good = folder.path().join("made-up metal.binary");
+    write_merl(&good);
+    let bad = folder.path().join("cut off.binary");
+    std::fs::write(&bad, &std::fs::read(&good).expect("bytes")[..1000]).expect("written");
+    let mut window = window(vec![], vec![good.clone(), bad.clone()]);
+    press(&mut window, Modifiers::COMMAND, Key::O);
+    settle(&mut window, |state| {
+        !state.notices.is_empty() && state.jobs.is_empty()
+    });
+    let state = window.state().state();
+    assert_eq!(state.scene.opened.len(), 2);
+    assert_eq!(state.current().expect("one").0.name, "made-up metal");
+    assert_eq!(state.prefs.recent, [good]);
+    let [notice] = &state.notices[..] else {
+        panic!("{:?}", state.notices)
+    };
+    assert!(
+        notice.level == Level::Error && notice.text.contains("cut off.binary"),
+        "{}",
+        notice.text
+    );
+    assert_eq!(notice.text.lines().count(), 1);
+    window.get_by_label("Close notice").click();
+    window.run_steps(3);
+    assert!(window.state().state().notices.is_empty());
+    // Closing is a step as any other.
+    click(&mut window, "Close made-up metal");
+    assert_eq!(window.state().state().scene.opened.len(), 1);
+    press(&mut window, Modifiers::COMMAND, Key::Z);
+    assert_eq!(
+        window.state().state().current().expect("one").0.name,
+        "made-up metal"
+    );
+}
+
+#[test]
+fn the_palette_finds_and_runs_commands() {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = window(vec![], vec![]);
+    press(&mut window, Modifiers::COMMAND, Key::P);
+    assert_eq!(window.state().state().dialog, Some(Dialog::Palette));
+    window.event(egui::Event::Text("side by".into()));
+    window.run_steps(3);
+    press(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(window.state().state().dialog, None);
+    assert_eq!(
+        window
+            .state()
+            .state()
+            .scene
+            .views
+            .get::<SphereSettings>()
+            .show,
+        Show::SideBySide
+    );
+}
+
+#[test]
+fn dragging_on_the_sphere_moves_its_light_and_hovering_reads_it() {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = window(vec![], vec![]);
+    let rect = window.get_by_role_and_label(Role::Image, "Sphere").rect();
+    let lights = |window: &Window| {
+        window
+            .state()
+            .state()
+            .scene
+            .views
+            .get::<SphereSettings>()
+            .view
+            .lights
+            .clone()
+    };
+    let before = lights(&window);
+    let at = |dx: f32, dy: f32| rect.center() + egui::vec2(dx, dy);
+    window.hover_at(at(60.0, -50.0));
+    window.run_steps(2);
+    assert!(window.state().state().probe().is_some());
+    drag(&mut window, &[at(60.0, -50.0), at(-80.0, 20.0)]);
+    let after = lights(&window);
+    assert!(
+        after[0].direction.x < 0.0 && after[1] == before[1],
+        "{after:?}"
+    );
+    press(&mut window, Modifiers::COMMAND, Key::Z);
+    assert_eq!(lights(&window), before);
+}
+
+#[test]
+fn dragging_in_the_lobes_turns_the_light() {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = window(vec![], vec![]);
+    let before = window
+        .state()
+        .state()
+        .scene
+        .views
+        .get::<LobeSettings>()
+        .theta_i
+        .clone();
+    window.get_by_label("theta_i 1");
+    let rect = window
+        .get_by_role_and_label(Role::Image, "Polar lobes")
+        .rect();
+    // The plot says itself where the handle of the active light is.
+    let spec = grazing::figure::lobes::LobeSpec {
+        theta_i: before.clone(),
+        ..Default::default()
+    };
+    let frame =
+        grazing::figure::lobes::LobePlot::new(&spec, &[], [rect.width(), rect.height()]).frame;
+    let point = |theta: f64| rect.min + egui::Vec2::from(frame.at(theta, 1.0));
+    drag(&mut window, &[point(-before[1]), point(-0.5)]);
+    let after = &window
+        .state()
+        .state()
+        .scene
+        .views
+        .get::<LobeSettings>()
+        .theta_i;
+    assert!(
+        (after[1] - 0.5).abs() < 0.01 && after[0] == before[0],
+        "{after:?}"
+    );
+}
+
+#[test]
+fn an_idle_window_repaints_nothing() {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = window(vec![], vec![]);
+    window.run_steps(10);
+    let delay = window
+        .output()
+        .viewport_output
+        .values()
+        .map(|output| output.repaint_delay)
+        .min();
+    assert!(
+        delay.is_some_and(|delay| delay > Duration::from_secs(3600)),
+        "{delay:?}"
+    );
+}
+
+#[test]
+fn a_typed_path_opens() {
+    if skip_gpu() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("typed.binary");
+    write_merl(&file);
+    let mut window = window(vec![], vec![]);
+    press(&mut window, Modifiers::COMMAND | Modifiers::SHIFT, Key::O);
+    assert_eq!(window.state().state().dialog, Some(Dialog::OpenPath));
+    window.event(egui::Event::Text(file.display().to_string()));
+    window.run_steps(3);
+    press(&mut window, Modifiers::NONE, Key::Enter);
+    settle(&mut window, |state| state.jobs.is_empty());
+    assert_eq!(
+        window.state().state().current().expect("one").0.name,
+        "typed"
+    );
+}
+
+#[test]
+fn a_dialog_that_never_was_is_named() {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = window(vec![], vec![]);
+    press(&mut window, Modifiers::COMMAND, Key::O);
+    settle(&mut window, |state| !state.notices.is_empty());
+    assert!(window.state().state().notices[0].text.contains("zenity"));
+}
+
+#[derive(Debug)]
+struct Dropped(PathBuf);
+
+impl egui::DroppedFile for Dropped {
+    fn path(&self) -> &std::path::Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        Err("nobody asks for the bytes".into())
+    }
+}
+
+#[test]
+fn several_dropped_files_open() {
+    if skip_gpu() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let paths = ["first.binary", "second.binary"].map(|name| folder.path().join(name));
+    let mut window = window(vec![], vec![]);
+    for path in paths {
+        write_merl(&path);
+        window
+            .input_mut()
+            .dropped_files
+            .push(Arc::new(Dropped(path)));
+    }
+    window.step();
+    window.input_mut().dropped_files.clear();
+    assert_eq!(window.state().state().jobs.len(), 2);
+    settle(&mut window, |state| state.jobs.is_empty());
+    let state = window.state().state();
+    let names: Vec<&str> = state
+        .materials
+        .values()
+        .map(|material| material.name.as_str())
+        .collect();
+    assert!(names.ends_with(&["first", "second"]), "{names:?}");
+}

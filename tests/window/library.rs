@@ -1,0 +1,558 @@
+//! The library in the real window: a folder with good and bad files, memory, fits of the whole folder.
+
+use crate::common::window::{Window, click, drag, press, run, set_slider, settle, wheel};
+use crate::common::{skip_gpu, write_merl};
+use egui::accesskit::Role;
+use egui::{Key, Modifiers};
+use egui_kittest::kittest::{NodeT, Queryable};
+use grazing::app::command::Command;
+use grazing::app::msg::Msg;
+use grazing::app::msg::fit::FitMsg;
+use grazing::app::msg::library::LibraryMsg;
+use grazing::app::state::State;
+use grazing::app::state::fitting::settings::Settings;
+use grazing::app::state::library::Kind;
+use grazing::app::state::library::Scan;
+use grazing::app::state::library::listing::Sort;
+use grazing::app::state::library::listing::SortKey;
+use grazing::app::state::material::Presence;
+use grazing::app::state::memory;
+use grazing::app::state::views::ViewId;
+use grazing::app::views::scatter::settings::ScatterSettings;
+use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
+use grazing::figure::palette::Role as ColorRole;
+use grazing::figure::scatter::{ScatterDot, ScatterPlot};
+use grazing::files::fits::{FitRecord, SourceFile, write_json};
+use grazing::fit::{Ended, Errors, Options, Weight};
+use std::fs;
+use std::path::{Path, PathBuf};
+use tempfile::TempDir;
+
+/// A folder with these measured files, which differ in their first values.
+fn folder(names: &[&str]) -> TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    let Some((first, others)) = names.split_first() else {
+        return folder;
+    };
+    let first = folder.path().join(first);
+    write_merl(&first);
+    let mut bytes = fs::read(&first).expect("bytes");
+    for (k, name) in others.iter().enumerate() {
+        bytes[12..20].copy_from_slice(&(100.0 + k as f64).to_le_bytes());
+        fs::write(folder.path().join(name), &bytes).expect("written");
+    }
+    folder
+}
+
+/// A window that shows the folder, all of which has been looked at.
+fn window(folder: &Path) -> Window {
+    let mut window = crate::common::window::window(vec![folder.to_path_buf()], vec![]);
+    settle(&mut window, is_scanned);
+    window
+}
+
+fn is_scanned(state: &State) -> bool {
+    let folder = state.library.folder.as_ref();
+    folder.is_some_and(|folder| folder.scan == Scan::Done) && is_quiet(state)
+}
+
+fn is_quiet(state: &State) -> bool {
+    state.jobs.is_empty() && state.library.pending.is_none() && state.fit.run.is_none()
+}
+
+fn send(window: &mut Window, msg: LibraryMsg) {
+    let ctx = window.ctx.clone();
+    window.state_mut().handle(&ctx, Msg::Library(msg));
+}
+
+fn name(window: &Window) -> String {
+    let current = window.state().state().current();
+    current.map_or(String::new(), |(material, _)| material.name.clone())
+}
+
+fn row<'a>(window: &'a Window, name: &'a str) -> egui_kittest::Node<'a> {
+    window.get_by_role_and_label(Role::Button, name)
+}
+
+#[test]
+fn every_file_is_listed_and_what_is_no_brdf_says_why() {
+    if skip_gpu() {
+        return;
+    }
+    let folder = folder(&["a10.binary", "a2.binary"]);
+    let at = |name: &str| folder.path().join(name);
+    let good = fs::read(at("a2.binary")).expect("bytes");
+    fs::write(at("cut.binary"), &good[..5000]).expect("written");
+    let mut wrong = good[..12].to_vec();
+    wrong[0] = 89;
+    fs::write(at("wrong.binary"), wrong).expect("written");
+    let mut holes = good;
+    for value in holes[12..].chunks_exact_mut(8) {
+        value.copy_from_slice(&(-1.0_f64).to_le_bytes());
+    }
+    fs::write(at("holes.binary"), holes).expect("written");
+    fs::write(at("notes.txt"), "some words").expect("written");
+    fs::write(at("empty.binary"), "").expect("written");
+    fs::create_dir(at("folder.binary")).expect("made");
+    fs::write(at(".hidden"), "").expect("written");
+    #[cfg(unix)]
+    std::os::unix::fs::symlink("nowhere", at("lost.binary")).expect("linked");
+
+    let window = window(folder.path());
+    let state = window.state().state();
+    let files = &state.library.folder.as_ref().expect("a folder").files;
+    let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+    let mut expected = vec![
+        "a2.binary",
+        "a10.binary",
+        "cut.binary",
+        "empty.binary",
+        "folder.binary",
+        "holes.binary",
+        "lost.binary",
+        "notes.txt",
+        "wrong.binary",
+    ];
+    if cfg!(not(unix)) {
+        expected.retain(|name| *name != "lost.binary");
+    }
+    assert_eq!(names, expected);
+    let reason = |name: &str| match &files.iter().find(|file| file.name == name) {
+        Some(file) => match &file.kind {
+            Kind::Other(reason) => reason.clone(),
+            other => format!("{other:?}"),
+        },
+        None => String::new(),
+    };
+    for (name, words) in [
+        ("cut.binary", "truncated"),
+        ("empty.binary", "empty"),
+        ("folder.binary", "directory"),
+        ("holes.binary", "nothing was measured"),
+        ("notes.txt", "it is a text"),
+        ("wrong.binary", "89 × 90 × 180"),
+    ] {
+        assert!(reason(name).contains(words), "{name}: {}", reason(name));
+        assert!(row(&window, name).accesskit_node().is_disabled());
+    }
+    let examined = files[0].examined().expect("it was read");
+    assert!((examined.valid_share - 0.75).abs() < 0.01, "{examined:?}");
+    assert_eq!(examined.half_width, None, "a diffuse material");
+    // An empty window shows the first one; bad files of a folder are no news.
+    assert_eq!((name(&window).as_str(), state.notices.len()), ("a2", 0));
+    assert_eq!(state.prefs.recent, [folder.path()]);
+}
+
+#[test]
+fn arrows_step_through_previews_and_what_was_touched_stays() {
+    if skip_gpu() {
+        return;
+    }
+    let folder = folder(&["a.binary", "b.binary", "c.binary", "d.binary"]);
+    fs::write(folder.path().join("bad.binary"), "words").expect("written");
+    let mut window = window(folder.path());
+    let open = |window: &Window| window.state().state().scene.opened.len();
+    row(&window, "b.binary").click();
+    window.run_steps(2);
+    assert_eq!(name(&window), "a", "the last picture stays");
+    assert!(
+        window
+            .state()
+            .state()
+            .loading()
+            .is_some_and(|text| text.contains("b.binary"))
+    );
+    settle(&mut window, is_quiet);
+    assert_eq!((name(&window).as_str(), open(&window)), ("b", 1));
+    press(&mut window, Modifiers::NONE, Key::ArrowDown);
+    press(&mut window, Modifiers::NONE, Key::ArrowDown);
+    settle(&mut window, is_quiet);
+    assert_eq!((name(&window).as_str(), open(&window)), ("d", 1));
+    // The end of the list is the end.
+    press(&mut window, Modifiers::NONE, Key::ArrowDown);
+    assert!(is_quiet(window.state().state()));
+    set_slider(&mut window, "s", 77.0);
+    press(&mut window, Modifiers::COMMAND, Key::PageUp);
+    settle(&mut window, is_quiet);
+    assert_eq!((name(&window).as_str(), open(&window)), ("c", 2));
+    row(&window, "c.binary").click();
+    window.run_steps(2);
+    press(&mut window, Modifiers::NONE, Key::Enter);
+    press(&mut window, Modifiers::NONE, Key::ArrowUp);
+    settle(&mut window, is_quiet);
+    assert_eq!((name(&window).as_str(), open(&window)), ("b", 3));
+    // What is open is not opened again.
+    press(&mut window, Modifiers::NONE, Key::End);
+    settle(&mut window, is_quiet);
+    assert_eq!((name(&window).as_str(), open(&window)), ("d", 3));
+    assert!((crate::common::window::s(&window) - 77.0).abs() < 1.0);
+
+    // While somebody types, the arrows are the field's.
+    window
+        .get_by_role_and_label(Role::TextInput, "Search the folder")
+        .click();
+    window.run_steps(2);
+    window.event(egui::Event::Text("B".into()));
+    window.run_steps(2);
+    press(&mut window, Modifiers::NONE, Key::ArrowUp);
+    assert_eq!(name(&window), "d");
+    let listed = |window: &Window| window.state().state().library.visible().len();
+    assert_eq!(listed(&window), 5, "all names have a b");
+    press(&mut window, Modifiers::NONE, Key::End);
+    window.event(egui::Event::Text("ad".into()));
+    window.run_steps(2);
+    assert_eq!(listed(&window), 1);
+    let row = |name| window.query_by_role_and_label(Role::Button, name);
+    assert!(row("bad.binary").is_some() && row("a.binary").is_none());
+}
+
+#[test]
+fn tables_stay_within_the_limit_and_come_back_when_they_are_shown() {
+    if skip_gpu() {
+        return;
+    }
+    let names = ["a", "b", "c", "d"];
+    let folder = folder(
+        &names
+            .map(|name| format!("{name}.binary"))
+            .each_ref()
+            .map(String::as_str),
+    );
+    let path = |name: &str| folder.path().join(format!("{name}.binary"));
+    let mut window = window(folder.path());
+    let one = memory::total(window.state().state());
+    assert_eq!(one, 12 * 1_458_000);
+    let limit = 40;
+    send(&mut window, LibraryMsg::SetLimit(limit));
+    for name in names {
+        send(
+            &mut window,
+            LibraryMsg::Show {
+                path: path(name),
+                keep: true,
+            },
+        );
+        settle(&mut window, |state| {
+            let total = memory::total(state);
+            assert!(total <= u64::from(limit) * memory::MIB, "{total} bytes");
+            is_quiet(state)
+        });
+        assert_eq!(self::name(&window), name);
+    }
+    let here = |state: &State| -> Vec<bool> {
+        let opened = state.scene.opened.iter();
+        let presence = opened.map(|opened| state.materials[&opened.id].presence);
+        presence
+            .map(|presence| presence == Presence::Loaded)
+            .collect()
+    };
+    assert_eq!(here(window.state().state()), [false, false, true, true]);
+
+    // The last picture stays until the data are there again.
+    click(&mut window, "a");
+    assert_eq!(name(&window), "d");
+    settle(&mut window, is_quiet);
+    assert_eq!(name(&window), "a");
+    let state = window.state().state();
+    assert!(state.current().expect("one").0.table.valid_count() > 0);
+    assert_eq!(here(state), [true, false, false, true]);
+
+    // What is beside is shown too, whatever the limit says.
+    send(&mut window, LibraryMsg::SetLimit(0));
+    window
+        .get_by_role_and_label(Role::CheckBox, "Show b beside")
+        .click();
+    window.run_steps(2);
+    settle(&mut window, is_quiet);
+    assert_eq!(here(window.state().state()), [true, true, false, false]);
+    // Undo shows it no longer, redo does.
+    run(&mut window, Command::Undo);
+    assert_eq!(here(window.state().state()), [true, false, false, false]);
+    run(&mut window, Command::Redo);
+    settle(&mut window, is_quiet);
+    assert_eq!(here(window.state().state()), [true, true, false, false]);
+    run(&mut window, Command::Undo);
+
+    // A file that is gone is named once, and its model is still there.
+    fs::remove_file(path("d")).expect("removed");
+    click(&mut window, "d");
+    settle(&mut window, is_quiet);
+    assert_eq!(name(&window), "d");
+    let state = window.state().state();
+    let [notice] = &state.notices[..] else {
+        panic!("{:?}", state.notices)
+    };
+    assert!(
+        notice.text.starts_with("d is shown without its data"),
+        "{}",
+        notice.text
+    );
+    assert!(notice.text.ends_with("d.binary"), "{}", notice.text);
+    let id = notice.id;
+    let ctx = window.ctx.clone();
+    window.state_mut().handle(&ctx, Msg::Dismiss(id));
+
+    // One that has other data by now says so.
+    let mut bytes = fs::read(path("c")).expect("bytes");
+    bytes[12..20].copy_from_slice(&7.0_f64.to_le_bytes());
+    fs::remove_file(path("c")).expect("removed");
+    fs::write(path("c"), bytes).expect("written");
+    click(&mut window, "c");
+    settle(&mut window, is_quiet);
+    let state = window.state().state();
+    assert_eq!(name(&window), "c");
+    let [notice] = &state.notices[..] else {
+        panic!("{:?}", state.notices)
+    };
+    assert!(
+        notice.text.contains("data of c have changed"),
+        "{}",
+        notice.text
+    );
+    assert_eq!(memory::total(state), one, "the shown one alone");
+}
+
+#[test]
+fn a_sample_that_was_let_go_is_made_again() {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = crate::common::window::window(vec![], vec![]);
+    let valid = |window: &Window| {
+        let state = window.state().state();
+        state.current().expect("one").0.table.valid_count()
+    };
+    let before = (name(&window), valid(&window));
+    send(&mut window, LibraryMsg::SetLimit(0));
+    run(&mut window, Command::OpenSample(1));
+    settle(&mut window, is_quiet);
+    assert_ne!(name(&window), before.0);
+    run(&mut window, Command::NextMaterial);
+    settle(&mut window, is_quiet);
+    assert_eq!((name(&window), valid(&window)), before);
+}
+
+/// What is quick to fit.
+fn diffuse_only(window: &mut Window) {
+    run(window, Command::UseModel(0));
+    run(window, Command::UseFresnel(Fresnel::None));
+    let settings = Settings {
+        stages: [true, false, false, false],
+        ..Settings::default()
+    };
+    let ctx = window.ctx.clone();
+    let msg = Msg::Fit(FitMsg::Settings(settings));
+    window.state_mut().handle(&ctx, msg);
+}
+
+#[test]
+fn the_folder_is_fitted_in_the_background() {
+    if skip_gpu() {
+        return;
+    }
+    let folder = folder(&["a.binary", "b.binary", "c.binary"]);
+    let path = |name: &str| folder.path().join(name);
+    fs::write(path("bad.binary"), "words").expect("written");
+    let mut window = window(folder.path());
+    diffuse_only(&mut window);
+    run(&mut window, Command::FitFolder);
+    click(&mut window, "Stop fitting the folder");
+    assert!(window.state().state().library.run.is_none());
+    let fitted = |window: &Window| window.state().state().library.fits.len();
+    let done = fitted(&window);
+    assert!(done < 3, "{done}");
+    // Alive: it can be started again, and goes on with what is lacking.
+    run(&mut window, Command::FitFolder);
+    let total = |window: &Window| {
+        window
+            .state()
+            .state()
+            .library
+            .run
+            .as_ref()
+            .map(|run| run.total)
+    };
+    assert_eq!(total(&window), Some(3 - done));
+    assert!(!Command::FitFolder.is_enabled(window.state().state()));
+    settle(&mut window, |state| state.library.run.is_none());
+    let state = window.state().state();
+    assert_eq!(fitted(&window), 3);
+    assert_eq!(state.notices.len(), 1, "{:?}", state.notices);
+    for name in ["a.binary", "b.binary", "c.binary"] {
+        let fit = state.library.best_fit(&path(name)).expect("a fit");
+        assert!(fit.errors.total < 1e-3, "{fit:?}");
+        assert!(
+            fit.source
+                .as_ref()
+                .is_some_and(|source| source.sha256.is_some())
+        );
+    }
+    // The open material has it, and the others have it when they are opened.
+    let kept = |window: &Window| window.state().state().current().expect("one").0.fits.len();
+    assert_eq!(kept(&window), 1);
+    row(&window, "c.binary").click();
+    window.run_steps(2);
+    settle(&mut window, is_quiet);
+    assert_eq!((name(&window).as_str(), kept(&window)), ("c", 1));
+    let state = window.state().state();
+    let (material, opened) = state.current().expect("one");
+    assert_eq!(opened.brdf, material.fits[0].outcome.brdf);
+
+    // A fit file in the folder brings the same back.
+    let fits: Vec<_> = state.library.folder_fits().cloned().collect();
+    let mut bytes = Vec::new();
+    write_json(&fits, &mut bytes).expect("memory takes it");
+    fs::write(path("fits.json"), bytes).expect("written");
+    let again = self::window(folder.path());
+    let state = again.state().state();
+    assert_eq!(state.library.folder_fits().count(), 3);
+    let file = |name: &str| state.library.kind_of(&path(name)).cloned();
+    assert!(matches!(file("fits.json"), Some(Kind::Models(3))));
+    assert_eq!(kept(&again), 1, "{:?}", state.notices);
+}
+
+#[test]
+fn of_a_hundred_files_only_those_in_sight_are_drawn() {
+    if skip_gpu() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let names: Vec<String> = (0..100).map(|k| format!("file {k}.binary")).collect();
+    for name in &names {
+        fs::write(folder.path().join(name), "words").expect("written");
+    }
+    let mut window = window(folder.path());
+    let drawn = |window: &Window| -> Vec<usize> {
+        let rows = names.iter().enumerate();
+        rows.filter(|(_, name)| window.query_by_role_and_label(Role::Button, name).is_some())
+            .map(|(k, _)| k)
+            .collect()
+    };
+    let before = drawn(&window);
+    assert_eq!(before[0], 0);
+    assert!(before.len() < 25, "{before:?}");
+    let at = row(&window, "file 3.binary").rect().center();
+    window.hover_at(at);
+    for _ in 0..30 {
+        window.event(egui::Event::MouseWheel {
+            unit: egui::MouseWheelUnit::Point,
+            delta: egui::vec2(0.0, -100.0),
+            phase: egui::TouchPhase::Move,
+            source: egui::MouseWheelSource::Unknown,
+            modifiers: Modifiers::NONE,
+        });
+        window.run_steps(2);
+    }
+    window.run_steps(20);
+    let after = drawn(&window);
+    assert!(after.len() < 25 && after[0] > 40, "{after:?}");
+    // The other way round, and a folder that is closed.
+    send(
+        &mut window,
+        LibraryMsg::Sort(Sort {
+            key: SortKey::Name,
+            descending: true,
+        }),
+    );
+    window.run_steps(3);
+    let first = window.state().state().library.visible().first().copied();
+    assert_eq!(first, Some(99));
+    run(&mut window, Command::CloseFolder);
+    assert!(drawn(&window).is_empty());
+}
+
+#[test]
+fn a_folder_that_is_not_there_is_one_line() {
+    if skip_gpu() {
+        return;
+    }
+    let mut window = crate::common::window::window(vec![PathBuf::from("/no/such folder")], vec![]);
+    send(&mut window, LibraryMsg::Open("/no/such folder".into()));
+    settle(&mut window, |state| state.library.folder.is_none());
+    let notices = &window.state().state().notices;
+    assert_eq!(notices.len(), 2, "{notices:?}");
+    for notice in notices {
+        assert!(notice.text.contains("no such file"), "{}", notice.text);
+        assert_eq!(notice.text.lines().count(), 1);
+    }
+}
+
+#[test]
+fn fitted_materials_are_dots_that_show_them() {
+    if skip_gpu() {
+        return;
+    }
+    let folder = folder(&["a.binary", "b.binary"]);
+    let path = |name: &str| folder.path().join(name);
+    // As a fit would leave them, which would take longer.
+    let fit = |name: &str, s: f64, alpha: f64| {
+        let brdf = Brdf {
+            model: MODELS[2],
+            fresnel: Fresnel::Exact,
+            params: Params {
+                s,
+                alpha,
+                ..Params::default()
+            },
+        };
+        FitRecord {
+            material: name.into(),
+            source: Some(SourceFile {
+                path: path(name).display().to_string(),
+                bytes: None,
+                sha256: None,
+            }),
+            version: "0".into(),
+            weight: Weight::Cosine,
+            limit_deg: 90.0,
+            options: Options::default(),
+            brdf,
+            errors: Errors {
+                total: 0.1,
+                grazing: None,
+                channels: [0.1; 3],
+            },
+            stages: Vec::new(),
+            albedo: [[0.5; 3]; 3],
+            evaluations: 1,
+            ended: Ended::Converged,
+            concerns: Vec::new(),
+        }
+    };
+    let fits = [fit("a.binary", 20.0, 0.1), fit("b.binary", 700.0, 0.9)];
+    let mut bytes = Vec::new();
+    write_json(&fits, &mut bytes).expect("memory takes it");
+    fs::write(path("fits.json"), bytes).expect("written");
+    let mut window = window(folder.path());
+    assert_eq!(name(&window), "a");
+    // It is open behind the sphere: closed and opened again, it is in front.
+    run(&mut window, Command::ToggleTile(ViewId::Scatter));
+    run(&mut window, Command::ToggleTile(ViewId::Scatter));
+    let rect = window.get_by_role_and_label(Role::Image, "Scatter").rect();
+    let dot = |fit: &FitRecord| ScatterDot {
+        name: fit.material.clone(),
+        s: fit.brdf.params.s,
+        alpha: fit.brdf.params.alpha,
+        fill: ColorRole::Muted,
+        ring: None,
+        shown: false,
+    };
+    let dots = fits.each_ref().map(dot);
+    let place = |window: &Window| {
+        let view = window.state().state().scene.views.get::<ScatterSettings>();
+        let plot = ScatterPlot::new(&dots, view.window, [rect.width(), rect.height()]);
+        rect.min + egui::Vec2::from(plot.places[1].expect("a place"))
+    };
+    let at = place(&window);
+    // The wheel makes room around the pointer, and what is under it stays.
+    window.hover_at(at);
+    window.run_steps(2);
+    wheel(&mut window, 120.0);
+    let view = window.state().state().scene.views.get::<ScatterSettings>();
+    let [low, high] = view.window.expect("a part");
+    assert!(low > 10.0 && high < 1e4, "{low} {high}");
+    assert!((place(&window) - at).length() < 0.5);
+    drag(&mut window, &[at, at]);
+    settle(&mut window, is_quiet);
+    assert_eq!(name(&window), "b");
+}

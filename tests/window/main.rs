@@ -1,0 +1,29 @@
+//! What needs a window or a graphics adapter: the real window driven by accessible names, its pictures, and the WGSL
+//! twins as numbers.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod albedo;
+mod error_map;
+mod export;
+mod figure;
+mod first;
+mod fit;
+mod guide;
+mod image;
+mod jobs;
+mod landscape;
+mod lessons;
+mod library;
+mod lobe3d;
+mod look;
+mod open_fit;
+mod paper;
+mod parity;
+mod probe;
+mod session;
+mod share;
+mod slices;
+mod sphere;
+mod tiles;
