@@ -2,11 +2,11 @@
 
 /// Exposure in stops, either way from 0: on the command line, in the window and in sessions.
 ///
-/// 2³⁰ spans what f32 and half floats of pictures hold with any f_r and light, so that shaders make no infinity; sessions
-/// and pictures were bounded by 10 and 30 before, and figure files, which are not bounded, are read as ever.
+/// The factor 2³⁰ leaves f32 room for f_r and the strength of lights. Sessions kept 10 before and keep these still; figure
+/// files are not held to it and are read as ever.
 pub const MAX_EXPOSURE_STOPS: f64 = 30.0;
 
-/// Largest θi that can be set in the window and that a session keeps, in degrees: below the horizon by half a bin.
+/// Largest θi that can be set in the window and that a session keeps, in degrees: half a degree above the horizon.
 pub const MAX_THETA_I_DEG: f64 = 89.5;
 /// Largest θi that can be set, in radians.
 pub const MAX_THETA_I: f64 = MAX_THETA_I_DEG * std::f64::consts::PI / 180.0;
