@@ -9,13 +9,11 @@
 //! `cargo bench --bench frame`. Needs Xvfb. Each window is a process of its own: winit opens one event loop only.
 
 use eframe::egui;
-use grazing::app::App;
-use grazing::app::Options;
-use grazing::app::Picker;
 use grazing::app::msg::Msg;
 use grazing::app::state::views::VIEWS;
 use grazing::app::views::albedo::work::MeasuredAlbedo;
 use grazing::app::views::landscape::work::LandscapeQuery;
+use grazing::app::{App, Options, Picker};
 use grazing::brdf::ParamId;
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader};

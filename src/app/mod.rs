@@ -160,7 +160,7 @@ impl App {
                 self.state.session.crashed = crashed;
             }
             Err(error) => {
-                crate::app::reduce::notify(&mut self.state, Level::Error, error.to_string())
+                crate::app::reduce::notify(&mut self.state, Level::Error, error.to_string());
             }
         }
     }

@@ -1,17 +1,13 @@
 //! What a fit does to the state, message by message, without a window or an engine.
 
 use grazing::app::command::Command;
-use grazing::app::msg::Loaded;
-use grazing::app::msg::Msg;
-use grazing::app::msg::Task;
-use grazing::app::msg::fit::FitMsg;
-use grazing::app::msg::fit::Timed;
+use grazing::app::msg::fit::{FitMsg, Timed};
+use grazing::app::msg::{Loaded, Msg, Task};
 use grazing::app::reduce::apply;
 use grazing::app::state::State;
 use grazing::app::state::fitting::run::FitUpdates;
 use grazing::app::state::fitting::settings::Settings;
-use grazing::app::state::material::MaterialId;
-use grazing::app::state::material::Origin;
+use grazing::app::state::material::{MaterialId, Origin};
 use grazing::app::views::lobes::settings::LobeSettings;
 use grazing::brdf::{Brdf, Fresnel, ParamId};
 use grazing::figure::scale::RadialScale;

@@ -10,8 +10,7 @@ use grazing::app::state::State;
 use grazing::app::state::subjects::Subjects;
 use grazing::app::state::views::ViewId;
 use grazing::app::views::albedo::settings::AlbedoSettings;
-use grazing::app::views::albedo::work::MeasuredAlbedo;
-use grazing::app::views::albedo::work::curves;
+use grazing::app::views::albedo::work::{MeasuredAlbedo, curves};
 use grazing::brdf;
 use grazing::figure::Channel;
 

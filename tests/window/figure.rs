@@ -12,14 +12,12 @@ use grazing::app::paper::figure::figure_of;
 use grazing::app::paper::work::PreviewQuery;
 use grazing::app::state::State;
 use grazing::app::state::notice::Dialog;
-use grazing::app::state::views::VIEWS;
-use grazing::app::state::views::ViewId;
+use grazing::app::state::views::{VIEWS, ViewId};
 use grazing::export::{FigureSpec, Format};
-use std::fs;
 use std::path::{Path, PathBuf};
-use std::process;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
+use std::{fs, process};
 
 /// A window whose dialog for saving answers with this path.
 fn saving_to(path: PathBuf) -> Window {

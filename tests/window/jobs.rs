@@ -1,8 +1,7 @@
 //! A job that panics is said once, and the window goes on: one planted panic in each kind of job.
 
-use crate::common::skip_gpu;
 use crate::common::window::{Window, run, settle, window, window_with};
-use crate::common::write_merl;
+use crate::common::{skip_gpu, write_merl};
 use grazing::app::Picker;
 use grazing::app::command::Command;
 use grazing::app::msg::Msg;

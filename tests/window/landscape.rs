@@ -6,8 +6,7 @@ use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use grazing::app::command::Command;
 use grazing::app::state::views::ViewId;
-use grazing::app::views::landscape::work::LandscapeQuery;
-use grazing::app::views::landscape::work::path;
+use grazing::app::views::landscape::work::{LandscapeQuery, path};
 use grazing::brdf::ParamId;
 use grazing::fit::Problem;
 

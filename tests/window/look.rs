@@ -3,19 +3,15 @@
 use crate::common::skip_gpu;
 use crate::common::window::settle;
 use egui_kittest::{Harness, SnapshotOptions};
-use grazing::app::App;
-use grazing::app::Options;
-use grazing::app::Picker;
 use grazing::app::command::Command;
 use grazing::app::msg::Msg;
 use grazing::app::state::prefs::Theme;
 use grazing::app::state::probe::Probe;
-use grazing::app::views::albedo::work::MeasuredAlbedo;
-use grazing::app::views::albedo::work::ModelAlbedo;
+use grazing::app::views::albedo::work::{MeasuredAlbedo, ModelAlbedo};
 use grazing::app::views::error_map::work::ErrorMapQuery;
 use grazing::app::views::landscape::work::LandscapeQuery;
-use grazing::app::views::sphere::settings::Show;
-use grazing::app::views::sphere::settings::SphereSettings;
+use grazing::app::views::sphere::settings::{Show, SphereSettings};
+use grazing::app::{App, Options, Picker};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 

@@ -107,7 +107,7 @@ pub fn ask<T: Send + 'static>(
         match dialog() {
             Some(answer) => answered(answer, send),
             None if asked.elapsed() < NO_DIALOG => {
-                send(Msg::Notify(Level::Error, no_answer.into()))
+                send(Msg::Notify(Level::Error, no_answer.into()));
             }
             None => {}
         }

@@ -50,7 +50,7 @@ pub fn fit(task: FitTask, problems: Arc<Problems>) -> Work {
     let job = task.job;
     let done = move |result| Msg::Fit(FitMsg::Done { job, result });
     Work::new("fitting", move |send| {
-        send(done(run(&task, &problems, send)))
+        send(done(run(&task, &problems, send)));
     })
     .or_tell(move |text| done(Err(text)))
 }

@@ -153,7 +153,7 @@ impl Jobs {
                 OnPanic::Notify => notice(text),
                 OnPanic::NotifyAndSend(failed) => {
                     notice(text);
-                    send(failed);
+                    send(*failed);
                 }
                 OnPanic::Send(failed) => send(failed(text)),
             }

@@ -34,7 +34,7 @@ pub fn start(task: SessionTask, jobs: &Jobs, picker: &Picker) {
         } => {
             let dialog = Arc::clone(&picker.save);
             let chosen = move |path: PathBuf, send: &(dyn Fn(Msg) + Sync)| {
-                save(number, *session, &path, true, send)
+                save(number, *session, &path, true, send);
             };
             ask(
                 jobs,

@@ -3,6 +3,9 @@
 use crate::app::msg::Msg;
 use std::fmt;
 
+/// Does the work; what it is handed sends messages to the window.
+pub type Run = Box<dyn FnOnce(&(dyn Fn(Msg) + Sync)) + Send>;
+
 /// Work for a thread in the background, and what becomes of the state where it panics.
 pub struct Work {
     /// What it does, in words that follow "while": "reading teflon.binary".
@@ -10,7 +13,7 @@ pub struct Work {
     /// Whether it waits for others.
     pub order: Order,
     /// Does it. What it is handed sends messages to the window.
-    pub run: Box<dyn FnOnce(&(dyn Fn(Msg) + Sync)) + Send>,
+    pub run: Run,
     /// What becomes of the state where it panics.
     pub on_panic: OnPanic,
 }
@@ -20,7 +23,7 @@ pub enum OnPanic {
     /// Nothing is left to be mended.
     Notify,
     /// This takes the place of what the work would have sent at its end.
-    NotifyAndSend(Msg),
+    NotifyAndSend(Box<Msg>),
     /// A message that carries the text, and whose reducer shows it as it does with any other failure.
     Send(Box<dyn FnOnce(String) -> Msg + Send>),
 }
@@ -70,7 +73,7 @@ impl Work {
 
     /// The same with a message that is sent after the notice where it panics.
     pub fn or_send(mut self, failed: Msg) -> Self {
-        self.on_panic = OnPanic::NotifyAndSend(failed);
+        self.on_panic = OnPanic::NotifyAndSend(Box::new(failed));
         self
     }
 

@@ -11,13 +11,10 @@ use crate::app::views::image::settings::ImageSettings;
 use crate::app::views::landscape::settings::LandscapeSettings;
 use crate::app::views::landscape::work::{path, place};
 use crate::app::views::lobe3d::settings::Lobe3dSettings;
-use crate::app::views::lobes::settings::LobeSettings;
-use crate::app::views::lobes::settings::drawable;
+use crate::app::views::lobes::settings::{LobeSettings, drawable};
 use crate::app::views::scatter::combined_fits;
-use crate::app::views::slices::settings::SliceSettings;
-use crate::app::views::slices::settings::through;
-use crate::app::views::sphere::settings::Show;
-use crate::app::views::sphere::settings::SphereSettings;
+use crate::app::views::slices::settings::{SliceSettings, through};
+use crate::app::views::sphere::settings::{Show, SphereSettings};
 use crate::brdf::Fresnel;
 use crate::export::{FigureSpec, SubjectLook, SubjectSource, SubjectSpec};
 use crate::figure::page::{

@@ -117,7 +117,7 @@ pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
             return vec![Task::Library(LibraryTask::Save(fits))];
         }
         Command::UseShow(show) => edit(state, |scene| {
-            scene.views.get_mut::<SphereSettings>().show = show
+            scene.views.get_mut::<SphereSettings>().show = show;
         }),
         Command::UseLights(index) => edit(state, |scene| {
             if let Some(preset) = LIGHT_PRESETS.get(index) {
@@ -125,7 +125,7 @@ pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
             }
         }),
         Command::UseScale(scale) => edit(state, |scene| {
-            scene.views.get_mut::<LobeSettings>().scale = scale
+            scene.views.get_mut::<LobeSettings>().scale = scale;
         }),
         Command::ToggleCosine => edit(state, |scene| {
             scene.views.get_mut::<LobeSettings>().with_cosine =

@@ -103,7 +103,7 @@ fn perform_one(state: &mut State, set: Set) -> Vec<Task> {
             scene.views.get_mut::<LobeSettings>().active = active;
         }),
         Set::Scale(scale) => edit(state, |scene| {
-            scene.views.get_mut::<LobeSettings>().scale = scale
+            scene.views.get_mut::<LobeSettings>().scale = scale;
         }),
         Set::Lights(index) => edit(state, |scene| {
             if let Some(preset) = LIGHT_PRESETS.get(index) {
@@ -111,7 +111,7 @@ fn perform_one(state: &mut State, set: Set) -> Vec<Task> {
             }
         }),
         Set::Sphere(show) => edit(state, |scene| {
-            scene.views.get_mut::<SphereSettings>().show = show
+            scene.views.get_mut::<SphereSettings>().show = show;
         }),
         Set::Tile(pane) => state.tiles.show(pane),
         Set::Stages(stages, from_sliders) => {

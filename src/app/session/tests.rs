@@ -19,8 +19,7 @@ use crate::app::views::lobe3d::settings::Lobe3dSettings;
 use crate::app::views::lobes::settings::LobeSettings;
 use crate::app::views::scatter::settings::ScatterSettings;
 use crate::app::views::slices::settings::SliceSettings;
-use crate::app::views::sphere::settings::Show;
-use crate::app::views::sphere::settings::SphereSettings;
+use crate::app::views::sphere::settings::{Show, SphereSettings};
 use crate::brdf::{Brdf, Fresnel, MODELS, Params};
 use crate::figure::Channel;
 use crate::figure::error_map::Plane;
@@ -258,7 +257,7 @@ const CHANGES: [fn(&mut State); 26] = [
             .views
             .get::<SphereSettings>()
             .sight
-            .zoomed(2.0, [0.25, 0.5])
+            .zoomed(2.0, [0.25, 0.5]);
     },
     |s| s.scene.views.get_mut::<LobeSettings>().theta_i[1] = 0.5,
     |s| s.scene.views.get_mut::<SliceSettings>().spec.phi_d = 0.25,

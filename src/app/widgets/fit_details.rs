@@ -2,8 +2,7 @@
 
 use crate::app::state::State;
 use crate::app::state::fitting::kept::{KeptFit, variant_name};
-use crate::app::widgets::formula::number;
-use crate::app::widgets::formula::percent;
+use crate::app::widgets::formula::{number, percent};
 use crate::app::widgets::paint::rich_text_job;
 use crate::brdf::params::ALL;
 use crate::figure::text::RichText;

@@ -1,7 +1,8 @@
 //! Data made from a model give its parameters back.
 
 use super::making::{bell, distance, fit, kept, problem, table, table_of, variant};
-use grazing::brdf::{Brdf, Fresnel, ParamId, Params, fresnel::FRESNELS, params};
+use grazing::brdf::fresnel::FRESNELS;
+use grazing::brdf::{Brdf, Fresnel, ParamId, Params, params};
 use grazing::fit::Options;
 use grazing::measured::Grid;
 use proptest::prelude::*;

@@ -20,8 +20,7 @@ pub(crate) mod fixtures;
 pub mod folder_run;
 pub mod listing;
 
-use crate::app::state::job::CancelFlag;
-use crate::app::state::job::Hold;
+use crate::app::state::job::{CancelFlag, Hold};
 use crate::app::state::library::folder_run::FolderRun;
 use crate::app::state::library::listing::Sort;
 use crate::app::state::material::MaterialId;
