@@ -2,7 +2,8 @@
 //! wrong.
 #![cfg(target_os = "linux")]
 
-use crate::common::program::{Folder, failed, grazing, stderr, succeeded};
+use crate::common::folder::Folder;
+use crate::common::program::{failed, grazing, stderr, succeeded};
 use resvg::usvg;
 use serde_json::Value;
 use std::fs;
@@ -84,7 +85,7 @@ fn every_preset_is_a_pdf_that_other_programs_read() {
         ("scatter", vec!["lacquer", "Blinn-Phong", "α over s"]),
     ];
     for (preset, words) in cases {
-        let pdf = folder.path(&format!("{preset}.pdf"));
+        let pdf = folder.path(format!("{preset}.pdf"));
         let said = figure(&fits, &pdf, &format!("--preset {preset} --dpi 60"));
         succeeded(&said);
         let fonts = Command::new("pdffonts")
@@ -107,7 +108,7 @@ fn every_preset_is_a_pdf_that_other_programs_read() {
         }
         let png = run("pdftoppm", &["-r", "40", "-png"], &pdf);
         assert!(png.len() > 500, "{preset}");
-        assert!(folder.path(&format!("{preset}.figure.json")).is_file());
+        assert!(folder.path(format!("{preset}.figure.json")).is_file());
     }
 }
 
@@ -116,7 +117,7 @@ fn a_figure_is_drawn_again_byte_by_byte_from_its_spec() {
     let folder = Folder::new();
     let (_, fits) = material(&folder);
     for format in ["pdf", "svg", "png", "csv"] {
-        let first = folder.path(&format!("lobes.{format}"));
+        let first = folder.path(format!("lobes.{format}"));
         succeeded(&figure(
             &fits,
             &first,
@@ -124,7 +125,7 @@ fn a_figure_is_drawn_again_byte_by_byte_from_its_spec() {
         ));
         let spec = folder.path("lobes.figure.json");
         let text = fs::read_to_string(&spec).expect("a spec");
-        let again = folder.path(&format!("again.{format}"));
+        let again = folder.path(format!("again.{format}"));
         succeeded(&figure(&spec, &again, "--force"));
         assert!(fs::read(&first).expect("a figure") == fs::read(&again).expect("a figure"));
         let value: Value = serde_json::from_str(&text).expect("JSON");
@@ -137,7 +138,7 @@ fn a_figure_is_drawn_again_byte_by_byte_from_its_spec() {
             34_992_012
         );
         // Planted: another option is another figure.
-        let other = folder.path(&format!("other.{format}"));
+        let other = folder.path(format!("other.{format}"));
         let options = if format == "csv" {
             "--preset slices"
         } else {

@@ -1,9 +1,10 @@
 //! `grazing fit` as a person meets it: what the files hold, and one clear line for everything that is wrong.
 
-use crate::common::program::{Folder, failed, grazing, stderr, stdout, succeeded};
+use crate::common::folder::Folder;
+use crate::common::merl::merl_file;
+use crate::common::program::{failed, grazing, stderr, stdout, succeeded};
 use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
 use grazing::geom::direction;
-use grazing::measured::{Grid, Table, merl};
 use serde_json::Value;
 use std::ffi::OsStr;
 use std::fs;
@@ -23,19 +24,7 @@ fn material(folder: &Folder, name: &str, s: f64) -> PathBuf {
             eta: 1.5,
         },
     };
-    let grid = Grid::FOLDED;
-    let cells = (0..grid.len()).map(|index| {
-        let (h, d, phi) = grid.bins(index);
-        let c = grid.center(h, d, phi).cosines();
-        if c.above_horizon() {
-            brdf.eval(&c).map(|x| x as f32)
-        } else {
-            [-1.0; 3]
-        }
-    });
-    let mut bytes = Vec::new();
-    merl::write(&Table::new(grid, cells.collect()), &mut bytes).expect("memory takes it");
-    folder.file(name, bytes)
+    folder.file(name, merl_file(|c| Some(brdf.eval(c))))
 }
 
 fn fit(files: &[&Path], options: &str) -> Output {
