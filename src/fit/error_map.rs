@@ -207,6 +207,7 @@ mod tests {
     use crate::brdf::{COMBINED, Fresnel, Params};
     use crate::fit::Problem;
     use crate::fit::options::{NO_LIMIT, WEIGHTS};
+    use crate::measured::modelled;
 
     fn brdf(s: f64) -> Brdf {
         Brdf {
@@ -297,17 +298,7 @@ mod tests {
         let grid = Grid::FOLDED;
         let model = brdf(30.0);
         let (h, d, phi) = (40, 30, 70);
-        let cells = (0..grid.len())
-            .map(|index| {
-                let (h, d, phi) = grid.bins(index);
-                let c = grid.center(h, d, phi).cosines();
-                if c.above_horizon() {
-                    model.eval(&c).map(|x| x as f32)
-                } else {
-                    [-1.0; 3]
-                }
-            })
-            .collect::<Vec<_>>();
+        let cells = modelled(&model, grid).cells().to_vec();
         let mut spoilt = cells.clone();
         spoilt[grid.index(h, d, phi)] = [1000.0; 3];
         let map = |cells| {

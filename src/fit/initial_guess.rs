@@ -151,23 +151,7 @@ fn absolute_error(samples: &[Sample], shapes: &[f64], channel: usize, rho_d: f64
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::measured::Grid;
-
-    fn table_of(brdf: &Brdf) -> Table {
-        let grid = Grid::FOLDED;
-        let cells = (0..grid.len())
-            .map(|index| {
-                let (h, d, phi) = grid.bins(index);
-                let c = grid.center(h, d, phi).cosines();
-                if c.above_horizon() {
-                    brdf.eval(&c).map(|x| x as f32)
-                } else {
-                    [-1.0; 3]
-                }
-            })
-            .collect();
-        Table::new(grid, cells)
-    }
+    use crate::measured::{Grid, modelled};
 
     #[test]
     fn the_guess_is_near_the_model_that_made_the_data() {
@@ -182,7 +166,7 @@ mod tests {
                 eta: 1.5,
             },
         };
-        let guess = from_table(&table_of(&truth)).params;
+        let guess = from_table(&modelled(&truth, Grid::FOLDED)).params;
         for k in 0..3 {
             assert!(
                 (guess.rho_d[k] / truth.params.rho_d[k] - 1.0).abs() < 0.1,
@@ -200,7 +184,7 @@ mod tests {
         );
         // A planted change of the data moves the guess.
         truth.params.s = 600.0;
-        assert!(from_table(&table_of(&truth)).params.s > 4.0 * guess.s);
+        assert!(from_table(&modelled(&truth, Grid::FOLDED)).params.s > 4.0 * guess.s);
     }
 
     #[test]

@@ -1,8 +1,6 @@
-//! What the tests of the command line share: the program, what it said, and folders to work in.
-#![allow(dead_code, reason = "every test uses its own part of this")]
+//! The program, and what it said.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output};
 
 pub fn grazing(args: &[&dyn AsRef<std::ffi::OsStr>]) -> Output {
@@ -39,23 +37,4 @@ pub fn failed(output: &Output, path: &Path, said: &str) {
     assert!(line.contains(said), "{line}");
     assert!(line.ends_with(&format!(": {}\n", path.display())), "{line}");
     assert!(!line.contains("panicked"), "{line}");
-}
-
-/// A folder with files in it.
-pub struct Folder(tempfile::TempDir);
-
-impl Folder {
-    pub fn new() -> Self {
-        Self(tempfile::tempdir().expect("a folder"))
-    }
-
-    pub fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
-
-    pub fn file(&self, name: &str, bytes: impl AsRef<[u8]>) -> PathBuf {
-        let path = self.path(name);
-        fs::write(&path, bytes).expect("is written");
-        path
-    }
 }

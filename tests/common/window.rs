@@ -1,5 +1,6 @@
 //! Driving the real window by accessible names.
 
+use super::wait;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
@@ -11,17 +12,25 @@ use grazing::app::{App, Options, Picker};
 use grazing::brdf::ParamId;
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 
 pub type Window = Harness<'static, App>;
 
+/// A window with these files, whose dialog for opening answers with those.
 pub fn window(files: Vec<PathBuf>, to_open: Vec<PathBuf>) -> Window {
     let picker = Picker {
         open: Arc::new(move || to_open.clone()),
-        folder: Arc::new(|| None),
-        save: Arc::new(|_| None),
+        ..nothing_picked()
     };
     window_with(files, picker)
+}
+
+/// Dialogs that are closed without an answer.
+pub fn nothing_picked() -> Picker {
+    Picker {
+        open: Arc::new(Vec::new),
+        folder: Arc::new(|| None),
+        save: Arc::new(|_| None),
+    }
 }
 
 /// A window whose dialogs are answered by this.
@@ -45,22 +54,22 @@ pub fn window_of(options: Options) -> Window {
     window
 }
 
-/// Steps until the state is as wanted. The limit is for a broken program, not a measure.
+/// Steps until the state is as wanted.
+#[track_caller]
 pub fn settle(window: &mut Window, wanted: impl Fn(&State) -> bool) {
-    let start = Instant::now();
-    loop {
-        window.step();
-        if wanted(window.state().state()) {
-            break;
-        }
-        assert!(
-            start.elapsed() < Duration::from_secs(60),
-            "{:?}",
-            window.state().state().notices
-        );
-        std::thread::sleep(Duration::from_millis(5));
-    }
+    settle_on(window, |window| {
+        wanted(window.state().state()).then_some(())
+    });
     window.run_steps(3);
+}
+
+/// Steps until this is found in the window, and leaves it at that step.
+#[track_caller]
+pub fn settle_on<T>(window: &mut Window, mut look: impl FnMut(&Window) -> Option<T>) -> T {
+    wait::settle(|| {
+        window.step();
+        look(window).ok_or_else(|| format!("{:?}", window.state().state().notices))
+    })
 }
 
 pub fn s(window: &Window) -> f64 {
@@ -116,9 +125,14 @@ pub fn press(window: &mut Window, modifiers: Modifiers, key: Key) {
     window.run_steps(3);
 }
 
+/// Hands the state a message as a panel does.
+pub fn send(window: &mut Window, msg: Msg) {
+    let ctx = window.ctx.clone();
+    window.state_mut().handle(&ctx, msg);
+    window.run_steps(3);
+}
+
 /// Runs a command as a menu does.
 pub fn run(window: &mut Window, command: Command) {
-    let ctx = window.ctx.clone();
-    window.state_mut().handle(&ctx, Msg::Run(command));
-    window.run_steps(3);
+    send(window, Msg::Run(command));
 }

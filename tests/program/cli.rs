@@ -1,6 +1,7 @@
 //! The command line as a person meets it: what is printed, and one clear line for every bad input.
 
-use crate::common::program::{Folder, failed, grazing, stderr, stdout, succeeded};
+use crate::common::folder::Folder;
+use crate::common::program::{failed, grazing, stderr, stdout, succeeded};
 use std::fs;
 use std::io::Write as _;
 use std::path::PathBuf;
@@ -64,7 +65,7 @@ fn every_bad_file_has_its_line() {
     ];
     let rows = folder.file("rows.csv", ROWS);
     for (name, bytes, said) in cases {
-        let path = folder.file(&format!("{name}.binary"), bytes);
+        let path = folder.file(format!("{name}.binary"), bytes);
         failed(&grazing(&[&"info", &path]), &path, said);
         failed(
             &grazing(&[&"eval", &path, &"--directions", &rows]),

@@ -54,7 +54,7 @@ fn the_extension_or_the_format_says_what_is_written() {
         assert_eq!(fs::read_to_string(&path).expect("is there"), wanted);
         let printed = succeeded(&export(&models, &[&"--index", &"1", &"--format", &format]));
         assert_eq!(printed, wanted);
-        let other = folder.path(&format!("{format}.txt"));
+        let other = folder.path(format!("{format}.txt"));
         succeeded(&export(&models, &[&"--format", &format, &"-o", &other]));
         let first = fs::read_to_string(&other).expect("is there");
         assert!(

@@ -2,7 +2,8 @@
 //! wrong.
 #![cfg(target_os = "linux")]
 
-use crate::common::program::{Folder, failed, grazing, stderr, succeeded};
+use crate::common::folder::Folder;
+use crate::common::program::{failed, grazing, stderr, succeeded};
 use resvg::usvg;
 use serde_json::Value;
 use std::fs;
@@ -84,7 +85,7 @@ fn every_preset_is_a_pdf_that_other_programs_read() {
         ("scatter", vec!["lacquer", "Blinn-Phong", "α over s"]),
     ];
     for (preset, words) in cases {
-        let pdf = folder.path(&format!("{preset}.pdf"));
+        let pdf = folder.path(format!("{preset}.pdf"));
         let said = figure(&fits, &pdf, &format!("--preset {preset} --dpi 60"));
         succeeded(&said);
         let fonts = Command::new("pdffonts")
@@ -107,7 +108,7 @@ fn every_preset_is_a_pdf_that_other_programs_read() {
         }
         let png = run("pdftoppm", &["-r", "40", "-png"], &pdf);
         assert!(png.len() > 500, "{preset}");
-        assert!(folder.path(&format!("{preset}.figure.json")).is_file());
+        assert!(folder.path(format!("{preset}.figure.json")).is_file());
     }
 }
 
@@ -116,7 +117,7 @@ fn a_figure_is_drawn_again_byte_by_byte_from_its_spec() {
     let folder = Folder::new();
     let (_, fits) = material(&folder);
     for format in ["pdf", "svg", "png", "csv"] {
-        let first = folder.path(&format!("lobes.{format}"));
+        let first = folder.path(format!("lobes.{format}"));
         succeeded(&figure(
             &fits,
             &first,
@@ -124,7 +125,7 @@ fn a_figure_is_drawn_again_byte_by_byte_from_its_spec() {
         ));
         let spec = folder.path("lobes.figure.json");
         let text = fs::read_to_string(&spec).expect("a spec");
-        let again = folder.path(&format!("again.{format}"));
+        let again = folder.path(format!("again.{format}"));
         succeeded(&figure(&spec, &again, "--force"));
         assert!(fs::read(&first).expect("a figure") == fs::read(&again).expect("a figure"));
         let value: Value = serde_json::from_str(&text).expect("JSON");
@@ -137,7 +138,7 @@ fn a_figure_is_drawn_again_byte_by_byte_from_its_spec() {
             34_992_012
         );
         // Planted: another option is another figure.
-        let other = folder.path(&format!("other.{format}"));
+        let other = folder.path(format!("other.{format}"));
         let options = if format == "csv" {
             "--preset slices"
         } else {
@@ -289,28 +290,73 @@ fn what_is_there_is_not_replaced_unasked() {
     );
 }
 
+/// Temporary files of a write under way, with bytes in them.
+fn begun(folder: &Folder) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder.root()).expect("a folder");
+    let entries = entries.filter_map(Result::ok);
+    entries
+        .filter(|entry| entry.file_name().to_string_lossy().starts_with(".grazing-"))
+        .filter(|entry| entry.metadata().is_ok_and(|data| data.len() > 0))
+        .map(|entry| entry.path())
+        .collect()
+}
+
 #[test]
 fn a_figure_that_is_killed_leaves_the_old_file() {
     let folder = Folder::new();
-    let (_, fits) = material(&folder);
-    let out = folder.path("poster.pdf");
-    for millis in [20, 150, 400, 900] {
+    // Large for the work of drawing it: the write lasts.
+    let sphere = r#"{"subjects": [{"label": "m", "source": {"model": {"model": "phong",
+        "rho_d": [0.5, 0.4, 0.3], "k_s": [1, 2, 3], "s": 20}}}],
+        "style": {"width_mm": 200, "dpi": 60},
+        "rows": [{"panels": [{"subjects": [0], "view": {"sphere": {"show": "model"}}}]}]}"#;
+    let spec = folder.file("sphere.figure.json", sphere);
+    let out = folder.path("sphere.exr");
+    succeeded(&figure(&spec, &out, ""));
+    let whole = fs::read(&out).expect("a figure");
+    assert!(whole.len() > 1_000_000, "{} bytes", whole.len());
+    let mut killed_within = 0;
+    // A kill may come too late, but not every time.
+    for attempt in 0..50 {
         fs::write(&out, "the old one").expect("is written");
         let mut child = Command::new(env!("CARGO_BIN_EXE_grazing"))
-            .args([
-                "figure", "--preset", "poster", "--force", "--dpi", "200", "-o",
-            ])
-            .args([&out, &fits])
+            .args(["figure", "--force", "-o"])
+            .args([&out, &spec])
             .spawn()
             .expect("the program starts");
-        std::thread::sleep(std::time::Duration::from_millis(millis));
-        // It may be done already.
+        // The first is killed while it draws, the others as soon as it writes.
+        while attempt > 0
+            && begun(&folder).is_empty()
+            && child.try_wait().expect("a child").is_none()
+        {
+            std::thread::yield_now();
+        }
         let _ = child.kill();
         child.wait().expect("it ends");
+        let left = begun(&folder);
         let bytes = fs::read(&out).expect("a file");
-        let whole = bytes.starts_with(b"%PDF-") && bytes.trim_ascii_end().ends_with(b"%%EOF");
-        assert!(bytes == b"the old one" || whole, "{} bytes", bytes.len());
+        if left.is_empty() {
+            assert!(
+                bytes == b"the old one" || bytes == whole,
+                "{} bytes",
+                bytes.len()
+            );
+        } else {
+            // What it was writing is still there, so it was within.
+            killed_within += 1;
+            assert_eq!(bytes.len(), b"the old one".len());
+            assert_eq!(bytes, b"the old one");
+        }
+        for path in left {
+            fs::remove_file(path).expect("is removed");
+        }
+        if killed_within == 3 {
+            break;
+        }
     }
+    assert_eq!(killed_within, 3, "kills within the write");
+    // What was left behind is in nobody's way.
+    succeeded(&figure(&spec, &out, "--force"));
+    assert!(fs::read(&out).expect("a figure") == whole);
 }
 
 #[test]

@@ -3,7 +3,6 @@
 use crate::common::program::{Folder, failed, grazing, stderr, stdout, succeeded};
 use grazing::brdf::{Brdf, COMBINED, Fresnel, MODELS, Params};
 use grazing::geom::direction;
-use grazing::measured::{Grid, Table, merl};
 use serde_json::Value;
 use std::ffi::OsStr;
 use std::fs;
@@ -23,19 +22,7 @@ fn material(folder: &Folder, name: &str, s: f64) -> PathBuf {
             eta: 1.5,
         },
     };
-    let grid = Grid::FOLDED;
-    let cells = (0..grid.len()).map(|index| {
-        let (h, d, phi) = grid.bins(index);
-        let c = grid.center(h, d, phi).cosines();
-        if c.above_horizon() {
-            brdf.eval(&c).map(|x| x as f32)
-        } else {
-            [-1.0; 3]
-        }
-    });
-    let mut bytes = Vec::new();
-    merl::write(&Table::new(grid, cells.collect()), &mut bytes).expect("memory takes it");
-    folder.file(name, bytes)
+    folder.file(name, merl_file(|c| Some(brdf.eval(c))))
 }
 
 fn fit(files: &[&Path], options: &str) -> Output {

@@ -1,8 +1,10 @@
 //! `grazing render` as a person meets it: the pictures as numbers, and one clear line for everything that is wrong.
 
-use crate::common::program::{Folder, failed, grazing, stderr, stdout, succeeded};
+use crate::common::folder::Folder;
+use crate::common::merl::merl_file;
+use crate::common::program::{failed, grazing, stderr, stdout, succeeded};
+use grazing::geom::Cosines;
 use grazing::geom::color::srgb_encode;
-use grazing::measured::{Grid, Table, merl};
 use image::{Rgba, Rgba32FImage, RgbaImage};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -36,20 +38,9 @@ fn place(size: u32, x: u32, y: u32) -> (f64, f64) {
 }
 
 /// A grey diffuse material in MERL layout; cells with a cosine below `limit` are unmeasured.
-fn merl_file(folder: &Folder, name: &str, limit: f64) -> PathBuf {
-    let grid = Grid::FOLDED;
-    let cells = (0..grid.len()).map(|index| {
-        let (h, d, phi) = grid.bins(index);
-        let c = grid.center(h, d, phi).cosines();
-        [if c.cos_theta_i.min(c.cos_theta_o) >= limit {
-            0.1
-        } else {
-            -1.0
-        }; 3]
-    });
-    let mut bytes = Vec::new();
-    merl::write(&Table::new(grid, cells.collect()), &mut bytes).expect("memory takes it");
-    folder.file(name, bytes)
+fn grey(folder: &Folder, name: &str, limit: f64) -> PathBuf {
+    let f_r = |c: &Cosines| (c.cos_theta_i.min(c.cos_theta_o) >= limit).then_some([0.1; 3]);
+    folder.file(name, merl_file(f_r))
 }
 
 #[test]
@@ -124,7 +115,7 @@ fn angles_of_lights_are_from_the_viewer_and_from_the_right() {
 #[test]
 fn a_split_shows_the_data_left_and_their_best_fit_right() {
     let folder = Folder::new();
-    let data = merl_file(&folder, "grey.binary", 0.0);
+    let data = grey(&folder, "grey.binary", 0.0);
     let entry = |source: &str, rho_d: f64, error: f64| {
         let source = if source.is_empty() {
             String::new()
@@ -197,7 +188,7 @@ fn a_split_shows_the_data_left_and_their_best_fit_right() {
 fn unmeasured_parts_are_hatched_in_png_and_empty_in_exr() {
     let folder = Folder::new();
     // Under this light the right half has cosines below 0.5.
-    let data = merl_file(&folder, "part.binary", 0.5);
+    let data = grey(&folder, "part.binary", 0.5);
     let options = "--size 64 --light 60,180 --lookup nearest";
     let bytes = png(&data, &folder.path("a.png"), options);
     let floats = exr(&data, &folder.path("a.exr"), options);

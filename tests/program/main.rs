@@ -2,7 +2,10 @@
 
 #[path = "../common"]
 mod common {
+    pub mod folder;
+    pub mod merl;
     pub mod program;
+    pub mod tables;
 }
 
 mod cli;

@@ -1,6 +1,7 @@
 //! What views show against what the command line says.
 
-use crate::common::program::{Folder, grazing, succeeded};
+use crate::common::folder::Folder;
+use crate::common::program::{grazing, succeeded};
 use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
 use grazing::figure::Channel;
 use grazing::figure::heatmap::{Cell, Field};

@@ -1,6 +1,5 @@
 //! The albedo in the real window.
 
-use crate::common::skip_gpu;
 use crate::common::window::{Window, run, set_slider, settle, window};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
@@ -39,10 +38,8 @@ fn opened() -> Window {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn curves_are_computed_and_follow_the_model() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = opened();
     let distance = |window: &Window| -> f64 {
         let state = window.state().state();
@@ -76,10 +73,8 @@ fn curves_are_computed_and_follow_the_model() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_probe_is_the_mirror_pair_at_the_angle() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = opened();
     let rect = window.get_by_role_and_label(Role::Image, "Albedo").rect();
     window.hover_at(rect.lerp_inside(egui::vec2(0.5, 0.5)));
@@ -105,10 +100,8 @@ fn the_probe_is_the_mirror_pair_at_the_angle() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn another_material_has_its_own_curve() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = opened();
     let measured = |window: &Window| -> Vec<f64> {
         let state = window.state().state();

@@ -1,6 +1,5 @@
 //! The error map in the real window.
 
-use crate::common::skip_gpu;
 use crate::common::window::{Window, run, settle, window};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
@@ -41,10 +40,8 @@ fn error(window: &Window) -> f64 {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn its_total_is_the_error_of_the_shown_model() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     open(&mut window);
     let first = total(&window);
@@ -66,10 +63,8 @@ fn its_total_is_the_error_of_the_shown_model() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_bin_under_the_pointer_is_the_probe() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     open(&mut window);
     let rect = window

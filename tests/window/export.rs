@@ -1,7 +1,7 @@
 //! Models exported from the real window.
 
-use crate::common::skip_gpu;
-use crate::common::window::{Window, click, run, set_slider, settle, window_with};
+use crate::common::folder::Folder;
+use crate::common::window::{Window, click, nothing_picked, run, set_slider, settle, window_with};
 use grazing::app::Picker;
 use grazing::app::command::Command;
 use grazing::app::state::notice::Level;
@@ -22,9 +22,8 @@ fn saving_in(folder: &Path, files: Vec<PathBuf>) -> (Window, Arc<Mutex<Vec<Strin
         Some(folder.join(name))
     };
     let picker = Picker {
-        open: Arc::new(Vec::new),
-        folder: Arc::new(|| None),
         save: Arc::new(save),
+        ..nothing_picked()
     };
     (window_with(files, picker), proposed)
 }
@@ -38,18 +37,15 @@ const MODEL: &str = r#"{"material": "teflon", "model": "combined", "fresnel": "e
     "rho_d": [0.2, 0.1, 0.05], "k_s": [9, 8, 7], "s": 120, "alpha": 0.4, "eta": 1.5}"#;
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_model_is_saved_as_every_kind_of_file() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    let model = folder.path().join("model.json");
-    fs::write(&model, MODEL).expect("is written");
-    let (mut window, proposed) = saving_in(folder.path(), vec![model]);
+    let folder = Folder::new();
+    let model = folder.file("model.json", MODEL);
+    let (mut window, proposed) = saving_in(folder.root(), vec![model]);
     set_slider(&mut window, "s", 123.0);
     let brdf = shown(&window);
     for format in MODEL_FORMATS {
-        let saved = folder.path().join(format.file_name(&brdf, "teflon"));
+        let saved = folder.path(format.file_name(&brdf, "teflon"));
         let saved = format!("Saved {}", saved.display());
         if format == ModelFormat::Wgsl {
             click(&mut window, "File");
@@ -68,7 +64,7 @@ fn a_model_is_saved_as_every_kind_of_file() {
         names,
         ["binary", "brdf", "wgsl", "glsl"].map(|e| format!("teflon_combined-exact.{e}"))
     );
-    let paths = names.iter().map(|name| folder.path().join(name));
+    let paths = names.iter().map(|name| folder.path(name));
     let files: Vec<Vec<u8>> = paths
         .clone()
         .map(|path| fs::read(path).expect("is there"))
@@ -103,12 +99,10 @@ fn a_model_is_saved_as_every_kind_of_file() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn what_cannot_be_saved_is_said() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    let gone = folder.path().join("gone");
+    let folder = Folder::new();
+    let gone = folder.path("gone");
     let (mut window, _) = saving_in(&gone, vec![]);
     run(&mut window, Command::ExportModel(ModelFormat::Glsl));
     settle(&mut window, |state| !state.notices.is_empty());

@@ -1,7 +1,9 @@
 //! Figures out of the window: the dialog, the file it writes, and what is put on the clipboard.
 
-use crate::common::skip_gpu;
-use crate::common::window::{Window, run, settle, window, window_with};
+use crate::common::folder::Folder;
+use crate::common::window::{
+    Window, nothing_picked, run, send, settle, settle_on, window, window_with,
+};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use grazing::app::Picker;
@@ -22,17 +24,10 @@ use std::{fs, process};
 /// A window whose dialog for saving answers with this path.
 fn saving_to(path: PathBuf) -> Window {
     let picker = Picker {
-        open: Arc::new(Vec::new),
-        folder: Arc::new(|| None),
         save: Arc::new(move |_| Some(path.clone())),
+        ..nothing_picked()
     };
     window_with(vec![], picker)
-}
-
-fn handle(window: &mut Window, msg: Msg) {
-    let ctx = window.ctx.clone();
-    window.state_mut().handle(&ctx, msg);
-    window.run_steps(2);
 }
 
 fn said(state: &State, text: &str) -> bool {
@@ -53,13 +48,11 @@ fn draw_again(spec: &Path, to: &Path) {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_window_and_the_command_write_the_same_bytes() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = Folder::new();
     for format in [Format::Svg, Format::Pdf, Format::Csv] {
-        let path = folder.path().join(format!("lobes.{}", format.extension()));
+        let path = folder.path(format!("lobes.{}", format.extension()));
         let mut window = saving_to(path.clone());
         run(&mut window, Command::ExportFigure);
         assert_eq!(window.state().state().dialog, Some(Dialog::Figure));
@@ -79,8 +72,8 @@ fn the_window_and_the_command_write_the_same_bytes() {
             .click();
         settle(&mut window, |state| said(state, "Saved"));
         let first = fs::read(&path).expect("a figure");
-        let spec = folder.path().join("lobes.figure.json");
-        let again = folder.path().join(format!("again.{}", format.extension()));
+        let spec = folder.path("lobes.figure.json");
+        let again = folder.path(format!("again.{}", format.extension()));
         draw_again(&spec, &again);
         assert!(fs::read(&again).expect("a figure") == first, "{format:?}");
         // Planted: one angle off is other bytes.
@@ -97,10 +90,8 @@ fn the_window_and_the_command_write_the_same_bytes() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn every_view_can_be_put_on_paper() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     run(&mut window, Command::Fit);
     settle(&mut window, |state| {
@@ -125,23 +116,21 @@ fn every_view_can_be_put_on_paper() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_place_that_cannot_be_written_to_is_named_and_a_foreign_file_is_kept() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = Folder::new();
     let export = |path: PathBuf, wanted: &str| {
         let mut window = saving_to(path);
         run(&mut window, Command::ExportFigure);
         handle(&mut window, Msg::Figure(FigureMsg::Export));
         settle(&mut window, |state| said(state, wanted));
     };
-    export(folder.path().join("no/lobes.svg"), "there is no directory");
-    let mine = folder.path().join("lobes.figure.json");
+    export(folder.path("no/lobes.svg"), "there is no directory");
+    let mine = folder.path("lobes.figure.json");
     fs::write(&mine, "my own notes").expect("is written");
-    export(folder.path().join("lobes.svg"), "is no figure");
+    export(folder.path("lobes.svg"), "is no figure");
     assert_eq!(fs::read(&mine).expect("is there"), b"my own notes");
-    assert!(!folder.path().join("lobes.svg").exists());
+    assert!(!folder.path("lobes.svg").exists());
 }
 
 /// Moves the pointer onto a view and copies; what was copied, once it is there.
@@ -149,16 +138,11 @@ fn copied(window: &mut Window, command: Command, view: &str) -> egui::OutputComm
     hover(window, view);
     let ctx = window.ctx.clone();
     window.state_mut().handle(&ctx, Msg::Run(command));
-    let start = Instant::now();
-    loop {
-        window.step();
-        // What one frame puts out is gone with the next.
-        if let Some(found) = window.output().platform_output.commands.first() {
-            return found.clone();
-        }
-        let notices = &window.state().state().notices;
-        assert!(start.elapsed() < Duration::from_secs(60), "{notices:?}");
-    }
+    // What one frame puts out is gone with the next.
+    settle_on(window, |window| {
+        let commands = &window.output().platform_output.commands;
+        commands.first().cloned()
+    })
 }
 
 fn hover(window: &mut Window, view: &str) {
@@ -169,10 +153,8 @@ fn hover(window: &mut Window, view: &str) {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_view_under_the_pointer_is_copied_as_a_picture_and_as_numbers() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     match copied(&mut window, Command::Copy, "Polar lobes") {
         egui::OutputCommand::CopyImage(image) => {

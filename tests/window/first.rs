@@ -1,7 +1,8 @@
 //! The real window, driven by accessible names.
 
+use crate::common::folder::Folder;
+use crate::common::records::write_merl;
 use crate::common::window::{Window, click, drag, press, s, set_slider, settle, value, window};
-use crate::common::{skip_gpu, write_merl};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -14,10 +15,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn it_starts_with_a_synthetic_sample_and_a_model_over_it() {
-    if skip_gpu() {
-        return;
-    }
     let window = window(vec![], vec![]);
     let state = window.state().state();
     let (material, opened) = state.current().expect("a material");
@@ -28,10 +27,8 @@ fn it_starts_with_a_synthetic_sample_and_a_model_over_it() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_slider_moves_the_model_and_undo_takes_it_back() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     let before = s(&window);
     set_slider(&mut window, "s", 123.0);
@@ -44,10 +41,8 @@ fn a_slider_moves_the_model_and_undo_takes_it_back() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_drag_with_the_pointer_is_one_step() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     let before = value(&window, ParamId::Alpha);
     let rect = window.get_by_role_and_label(Role::Slider, "alpha").rect();
@@ -64,10 +59,8 @@ fn a_drag_with_the_pointer_is_one_step() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn switching_the_model_keeps_the_look_and_greys_what_it_lacks() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     set_slider(&mut window, "alpha", 1.0);
     set_slider(&mut window, "s", 50.0);
@@ -104,10 +97,8 @@ fn switching_the_model_keeps_the_look_and_greys_what_it_lacks() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_double_click_on_a_name_resets_that_parameter() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     set_slider(&mut window, "s", 1234.0);
     let alpha = value(&window, ParamId::Alpha);
@@ -123,10 +114,8 @@ fn a_double_click_on_a_name_resets_that_parameter() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn grey_moves_the_channels_as_one() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     set_slider(&mut window, "rho_d R", 0.7);
     let rho_d = |window: &Window| {
@@ -155,14 +144,12 @@ fn grey_moves_the_channels_as_one() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn files_open_through_the_dialog_and_bad_ones_leave_the_rest() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    let good = folder.path().join("made-up metal.binary");
+    let folder = Folder::new();
+    let good = folder.path("made-up metal.binary");
     write_merl(&good);
-    let bad = folder.path().join("cut off.binary");
+    let bad = folder.path("cut off.binary");
     std::fs::write(&bad, &std::fs::read(&good).expect("bytes")[..1000]).expect("written");
     let mut window = window(vec![], vec![good.clone(), bad.clone()]);
     press(&mut window, Modifiers::COMMAND, Key::O);
@@ -196,10 +183,8 @@ fn files_open_through_the_dialog_and_bad_ones_leave_the_rest() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_palette_finds_and_runs_commands() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     press(&mut window, Modifiers::COMMAND, Key::P);
     assert_eq!(window.state().state().dialog, Some(Dialog::Palette));
@@ -220,10 +205,8 @@ fn the_palette_finds_and_runs_commands() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn dragging_on_the_sphere_moves_its_light_and_hovering_reads_it() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     let rect = window.get_by_role_and_label(Role::Image, "Sphere").rect();
     let lights = |window: &Window| {
@@ -253,10 +236,8 @@ fn dragging_on_the_sphere_moves_its_light_and_hovering_reads_it() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn dragging_in_the_lobes_turns_the_light() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     let before = window
         .state()
@@ -293,10 +274,8 @@ fn dragging_in_the_lobes_turns_the_light() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn an_idle_window_repaints_nothing() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     window.run_steps(10);
     let delay = window
@@ -312,12 +291,10 @@ fn an_idle_window_repaints_nothing() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_typed_path_opens() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("typed.binary");
+    let folder = Folder::new();
+    let file = folder.path("typed.binary");
     write_merl(&file);
     let mut window = window(vec![], vec![]);
     press(&mut window, Modifiers::COMMAND | Modifiers::SHIFT, Key::O);
@@ -333,10 +310,8 @@ fn a_typed_path_opens() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_dialog_that_never_was_is_named() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     press(&mut window, Modifiers::COMMAND, Key::O);
     settle(&mut window, |state| !state.notices.is_empty());
@@ -357,12 +332,10 @@ impl egui::DroppedFile for Dropped {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn several_dropped_files_open() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    let paths = ["first.binary", "second.binary"].map(|name| folder.path().join(name));
+    let folder = Folder::new();
+    let paths = ["first.binary", "second.binary"].map(|name| folder.path(name));
     let mut window = window(vec![], vec![]);
     for path in paths {
         write_merl(&path);

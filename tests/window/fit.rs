@@ -1,6 +1,5 @@
 //! Fitting in the real window, driven by accessible names.
 
-use crate::common::skip_gpu;
 use crate::common::window::{Window, click, press, s, set_slider, settle, value, window};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
@@ -57,10 +56,8 @@ fn words(state: &State) -> usize {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_fit_is_started_watched_and_ends_where_the_engine_does() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     let before = shown(window.state().state());
     let stages = [Stage::Amplitudes, Stage::Shape];
@@ -98,10 +95,8 @@ fn a_fit_is_started_watched_and_ends_where_the_engine_does() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn escape_stops_a_fit_and_keeps_its_best() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     let before = shown(window.state().state());
     // An engine that ends in the very frames of the key leaves nothing to stop; then once more.
@@ -133,10 +128,8 @@ fn escape_stops_a_fit_and_keeps_its_best() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_dialog_has_escape_before_the_fit() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     press(&mut window, Modifiers::COMMAND, Key::F);
     press(&mut window, Modifiers::NONE, Key::F1);
@@ -148,10 +141,8 @@ fn a_dialog_has_escape_before_the_fit() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_second_fit_replaces_the_first() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     only(&mut window, &[Stage::Amplitudes]);
     press(&mut window, Modifiers::COMMAND, Key::F);
@@ -200,10 +191,8 @@ fn rows(window: &Window) -> Vec<String> {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn all_six_fill_a_table_that_sorts_shows_and_overlays() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     only(&mut window, &[Stage::Amplitudes]);
     let before = shown(window.state().state());
@@ -290,10 +279,8 @@ fn all_six_fill_a_table_that_sorts_shows_and_overlays() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn ticking_keeps_the_amplitudes_at_their_best() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     let problem = first_problem(Weight::Cosine);
     window
@@ -324,10 +311,8 @@ fn ticking_keeps_the_amplitudes_at_their_best() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_window_goes_in_the_middle_of_a_fit() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     press(&mut window, Modifiers::COMMAND, Key::F);
     settle(&mut window, |state| words(state) > 0);

@@ -1,6 +1,5 @@
 //! The image slice in the real window.
 
-use crate::common::skip_gpu;
 use crate::common::window::{Window, drag, run, wheel, window};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
@@ -44,10 +43,8 @@ fn on_screen(window: &Window, at: [f64; 2]) -> egui::Pos2 {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_cell_under_the_pointer_is_the_probe() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     open(&mut window);
     for at in [[20.0, 50.0], [3.0, 10.0]] {
@@ -80,10 +77,8 @@ fn a_cell_under_the_pointer_is_the_probe() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_click_pins_and_a_probe_from_elsewhere_is_marked() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     open(&mut window);
     let point = on_screen(&window, [30.0, 40.0]);
@@ -137,10 +132,8 @@ fn a_click_pins_and_a_probe_from_elsewhere_is_marked() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn settings_zoom_and_reset() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     open(&mut window);
     // The sphere has buttons of these names too.

@@ -1,6 +1,5 @@
 //! The error landscape in the real window.
 
-use crate::common::skip_gpu;
 use crate::common::window::{Window, drag, run, settle, value, window};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
@@ -30,10 +29,8 @@ fn rect(window: &Window) -> egui::Rect {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_click_takes_the_best_model_there_as_one_step() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     run(&mut window, Command::UseModel(0));
     open(&mut window);
@@ -64,10 +61,8 @@ fn a_click_takes_the_best_model_there_as_one_step() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_way_of_a_fit_is_kept_and_ends_at_its_model() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     assert!(path(window.state().state()).is_empty());
     run(&mut window, Command::Fit);
@@ -93,10 +88,8 @@ fn the_way_of_a_fit_is_kept_and_ends_at_its_model() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn it_is_stopped_and_goes_on() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     open(&mut window);
     window

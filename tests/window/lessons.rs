@@ -1,6 +1,5 @@
 //! The lessons run through, forwards and back.
 
-use crate::common::skip_gpu;
 use crate::common::window::{Window, click, run, set_slider, settle, value, window};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
@@ -18,10 +17,8 @@ fn step(window: &Window) -> usize {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn every_lesson_runs_through() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     for (index, lesson) in LESSONS.iter().enumerate() {
         run(&mut window, Command::Lesson(index));
@@ -45,10 +42,8 @@ fn every_lesson_runs_through() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_step_back_shows_what_was_there_whatever_was_dragged() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     run(&mut window, Command::Lesson(0));
     settle(&mut window, is_set);

@@ -1,7 +1,8 @@
 //! The library in the real window: a folder with good and bad files, memory, fits of the whole folder.
 
+use crate::common::folder::Folder;
+use crate::common::records::{combined, only_named, record, write_fits, write_merl};
 use crate::common::window::{Window, click, drag, press, run, set_slider, settle, wheel};
-use crate::common::{skip_gpu, write_merl};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -19,31 +20,29 @@ use grazing::app::views::scatter::settings::ScatterSettings;
 use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
 use grazing::figure::palette::Role as ColorRole;
 use grazing::figure::scatter::{ScatterDot, ScatterPlot};
-use grazing::files::fits::{FitRecord, SourceFile, write_json};
-use grazing::fit::{Ended, Errors, Options, Weight};
+use grazing::files::fits::FitRecord;
 use std::fs;
-use std::path::{Path, PathBuf};
-use tempfile::TempDir;
+use std::path::PathBuf;
 
 /// A folder with these measured files, which differ in their first values.
-fn folder(names: &[&str]) -> TempDir {
-    let folder = tempfile::tempdir().expect("a folder");
+fn folder(names: &[&str]) -> Folder {
+    let folder = Folder::new();
     let Some((first, others)) = names.split_first() else {
         return folder;
     };
-    let first = folder.path().join(first);
+    let first = folder.path(first);
     write_merl(&first);
     let mut bytes = fs::read(&first).expect("bytes");
     for (k, name) in others.iter().enumerate() {
         bytes[12..20].copy_from_slice(&(100.0 + k as f64).to_le_bytes());
-        fs::write(folder.path().join(name), &bytes).expect("written");
+        folder.file(name, &bytes);
     }
     folder
 }
 
 /// A window that shows the folder, all of which has been looked at.
-fn window(folder: &Path) -> Window {
-    let mut window = crate::common::window::window(vec![folder.to_path_buf()], vec![]);
+fn window(folder: &Folder) -> Window {
+    let mut window = crate::common::window::window(vec![folder.root().to_path_buf()], vec![]);
     settle(&mut window, is_scanned);
     window
 }
@@ -72,12 +71,10 @@ fn row<'a>(window: &'a Window, name: &'a str) -> egui_kittest::Node<'a> {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn every_file_is_listed_and_what_is_no_brdf_says_why() {
-    if skip_gpu() {
-        return;
-    }
     let folder = folder(&["a10.binary", "a2.binary"]);
-    let at = |name: &str| folder.path().join(name);
+    let at = |name: &str| folder.path(name);
     let good = fs::read(at("a2.binary")).expect("bytes");
     fs::write(at("cut.binary"), &good[..5000]).expect("written");
     let mut wrong = good[..12].to_vec();
@@ -95,7 +92,7 @@ fn every_file_is_listed_and_what_is_no_brdf_says_why() {
     #[cfg(unix)]
     std::os::unix::fs::symlink("nowhere", at("lost.binary")).expect("linked");
 
-    let window = window(folder.path());
+    let window = window(&folder);
     let state = window.state().state();
     let files = &state.library.folder.as_ref().expect("a folder").files;
     let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
@@ -137,17 +134,15 @@ fn every_file_is_listed_and_what_is_no_brdf_says_why() {
     assert_eq!(examined.half_width, None, "a diffuse material");
     // An empty window shows the first one; bad files of a folder are no news.
     assert_eq!((name(&window).as_str(), state.notices.len()), ("a2", 0));
-    assert_eq!(state.prefs.recent, [folder.path()]);
+    assert_eq!(state.prefs.recent, [folder.root()]);
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn arrows_step_through_previews_and_what_was_touched_stays() {
-    if skip_gpu() {
-        return;
-    }
     let folder = folder(&["a.binary", "b.binary", "c.binary", "d.binary"]);
-    fs::write(folder.path().join("bad.binary"), "words").expect("written");
-    let mut window = window(folder.path());
+    fs::write(folder.path("bad.binary"), "words").expect("written");
+    let mut window = window(&folder);
     let open = |window: &Window| window.state().state().scene.opened.len();
     row(&window, "b.binary").click();
     window.run_steps(2);
@@ -204,10 +199,8 @@ fn arrows_step_through_previews_and_what_was_touched_stays() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn tables_stay_within_the_limit_and_come_back_when_they_are_shown() {
-    if skip_gpu() {
-        return;
-    }
     let names = ["a", "b", "c", "d"];
     let folder = folder(
         &names
@@ -215,8 +208,8 @@ fn tables_stay_within_the_limit_and_come_back_when_they_are_shown() {
             .each_ref()
             .map(String::as_str),
     );
-    let path = |name: &str| folder.path().join(format!("{name}.binary"));
-    let mut window = window(folder.path());
+    let path = |name: &str| folder.path(format!("{name}.binary"));
+    let mut window = window(&folder);
     let one = memory::total(window.state().state());
     assert_eq!(one, 12 * 1_458_000);
     let limit = 40;
@@ -310,10 +303,8 @@ fn tables_stay_within_the_limit_and_come_back_when_they_are_shown() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_sample_that_was_let_go_is_made_again() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = crate::common::window::window(vec![], vec![]);
     let valid = |window: &Window| {
         let state = window.state().state();
@@ -343,14 +334,12 @@ fn diffuse_only(window: &mut Window) {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_folder_is_fitted_in_the_background() {
-    if skip_gpu() {
-        return;
-    }
     let folder = folder(&["a.binary", "b.binary", "c.binary"]);
-    let path = |name: &str| folder.path().join(name);
+    let path = |name: &str| folder.path(name);
     fs::write(path("bad.binary"), "words").expect("written");
-    let mut window = window(folder.path());
+    let mut window = window(&folder);
     diffuse_only(&mut window);
     run(&mut window, Command::FitFolder);
     click(&mut window, "Stop fitting the folder");
@@ -397,10 +386,8 @@ fn the_folder_is_fitted_in_the_background() {
 
     // A fit file in the folder brings the same back.
     let fits: Vec<_> = state.library.folder_fits().cloned().collect();
-    let mut bytes = Vec::new();
-    write_json(&fits, &mut bytes).expect("memory takes it");
-    fs::write(path("fits.json"), bytes).expect("written");
-    let again = self::window(folder.path());
+    write_fits(&path("fits.json"), &fits);
+    let again = self::window(&folder);
     let state = again.state().state();
     assert_eq!(state.library.folder_fits().count(), 3);
     let file = |name: &str| state.library.kind_of(&path(name)).cloned();
@@ -409,16 +396,14 @@ fn the_folder_is_fitted_in_the_background() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn of_a_hundred_files_only_those_in_sight_are_drawn() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = Folder::new();
     let names: Vec<String> = (0..100).map(|k| format!("file {k}.binary")).collect();
     for name in &names {
-        fs::write(folder.path().join(name), "words").expect("written");
+        fs::write(folder.path(name), "words").expect("written");
     }
-    let mut window = window(folder.path());
+    let mut window = window(&folder);
     let drawn = |window: &Window| -> Vec<usize> {
         let rows = names.iter().enumerate();
         rows.filter(|(_, name)| window.query_by_role_and_label(Role::Button, name).is_some())
@@ -459,10 +444,8 @@ fn of_a_hundred_files_only_those_in_sight_are_drawn() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_folder_that_is_not_there_is_one_line() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = crate::common::window::window(vec![PathBuf::from("/no/such folder")], vec![]);
     send(&mut window, LibraryMsg::Open("/no/such folder".into()));
     settle(&mut window, |state| state.library.folder.is_none());
@@ -475,52 +458,16 @@ fn a_folder_that_is_not_there_is_one_line() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn fitted_materials_are_dots_that_show_them() {
-    if skip_gpu() {
-        return;
-    }
     let folder = folder(&["a.binary", "b.binary"]);
-    let path = |name: &str| folder.path().join(name);
-    // As a fit would leave them, which would take longer.
+    let path = |name: &str| folder.path(name);
     let fit = |name: &str, s: f64, alpha: f64| {
-        let brdf = Brdf {
-            model: MODELS[2],
-            fresnel: Fresnel::Exact,
-            params: Params {
-                s,
-                alpha,
-                ..Params::default()
-            },
-        };
-        FitRecord {
-            material: name.into(),
-            source: Some(SourceFile {
-                path: path(name).display().to_string(),
-                bytes: None,
-                sha256: None,
-            }),
-            version: "0".into(),
-            weight: Weight::Cosine,
-            limit_deg: 90.0,
-            options: Options::default(),
-            brdf,
-            errors: Errors {
-                total: 0.1,
-                grazing: None,
-                channels: [0.1; 3],
-            },
-            stages: Vec::new(),
-            albedo: [[0.5; 3]; 3],
-            evaluations: 1,
-            ended: Ended::Converged,
-            concerns: Vec::new(),
-        }
+        record(name, Some(only_named(path(name))), combined(s, alpha), 0.1)
     };
     let fits = [fit("a.binary", 20.0, 0.1), fit("b.binary", 700.0, 0.9)];
-    let mut bytes = Vec::new();
-    write_json(&fits, &mut bytes).expect("memory takes it");
-    fs::write(path("fits.json"), bytes).expect("written");
-    let mut window = window(folder.path());
+    write_fits(&path("fits.json"), &fits);
+    let mut window = window(&folder);
     assert_eq!(name(&window), "a");
     // It is open behind the sphere: closed and opened again, it is in front.
     run(&mut window, Command::ToggleTile(ViewId::Scatter));

@@ -1,7 +1,6 @@
 //! The lobes in space in the real window.
 
-use crate::common::skip_gpu;
-use crate::common::window::{Window, drag, run, settle, window};
+use crate::common::window::{Window, drag, run, send, settle, window};
 use egui::Rect;
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
@@ -27,12 +26,6 @@ fn opened() -> Window {
         run(&mut window, Command::ToggleTile(ViewId::Lobe3d));
     }
     window
-}
-
-fn send(window: &mut Window, msg: Msg) {
-    let ctx = window.ctx.clone();
-    window.state_mut().handle(&ctx, msg);
-    window.run_steps(3);
 }
 
 fn rect(window: &Window) -> Rect {
@@ -61,10 +54,8 @@ fn differing(a: &[[u8; 4]], b: &[[u8; 4]]) -> usize {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_drag_turns_the_lobe_and_a_double_click_puts_it_back() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = opened();
     let center = rect(&window).center();
     let before = pixels(&mut window);
@@ -105,10 +96,8 @@ fn hover_the_front(window: &mut Window) -> Probe {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_probe_goes_round() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = opened();
     let blank = pixels(&mut window);
     let hovered = hover_the_front(&mut window);
@@ -134,10 +123,8 @@ fn the_probe_goes_round() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn settings_change_the_picture() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = opened();
     let before = pixels(&mut window);
     let logarithmic = Lobe3dSettings {
@@ -152,10 +139,8 @@ fn settings_change_the_picture() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn it_repaints_nothing_while_nothing_happens() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = opened();
     window.run_steps(30);
     let output = window.output();

@@ -1,7 +1,6 @@
 //! The window as pictures. `UPDATE_SNAPSHOTS=1 cargo test --test window look` accepts what is drawn now.
 
-use crate::common::skip_gpu;
-use crate::common::window::settle;
+use crate::common::window::{Window, nothing_picked, run, settle};
 use egui_kittest::{Harness, SnapshotOptions};
 use grazing::app::command::Command;
 use grazing::app::msg::Msg;
@@ -15,16 +14,11 @@ use grazing::app::{App, Options, Picker};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-fn window(theme: Theme) -> Harness<'static, App> {
+fn window(theme: Theme) -> Window {
     window_of(theme, [1000.0, 640.0])
 }
 
-fn window_of(theme: Theme, size: [f32; 2]) -> Harness<'static, App> {
-    let picker = Picker {
-        open: Arc::new(Vec::new),
-        folder: Arc::new(|| None),
-        save: Arc::new(|_| None),
-    };
+fn window_of(theme: Theme, size: [f32; 2]) -> Window {
     let mut window = Harness::builder()
         .with_size(size)
         .wgpu()
@@ -33,33 +27,18 @@ fn window_of(theme: Theme, size: [f32; 2]) -> Harness<'static, App> {
                 cc,
                 Options {
                     files: vec![],
-                    picker,
+                    picker: nothing_picked(),
                     autosave: None,
                 },
             )
             .expect("a renderer")
         });
-    let start = Instant::now();
-    while window.state().state().current().is_none() {
-        window.step();
-        // For a broken program, not a measure.
-        assert!(
-            start.elapsed() < Duration::from_secs(60),
-            "the sample does not load"
-        );
-        std::thread::sleep(Duration::from_millis(5));
-    }
+    settle(&mut window, |state| state.current().is_some());
     run(&mut window, Command::UseTheme(theme));
     window
 }
 
-fn run(window: &mut Harness<'static, App>, command: Command) {
-    let ctx = window.ctx.clone();
-    window.state_mut().handle(&ctx, Msg::Run(command));
-    window.run_steps(4);
-}
-
-fn check(window: &mut Harness<'static, App>, name: &str) {
+fn check(window: &mut Window, name: &str) {
     // An accepted black picture must not pass: the sphere and the lobes have their colours.
     let picture = window.render().expect("a picture");
     let coloured = picture
@@ -77,26 +56,19 @@ fn check(window: &mut Harness<'static, App>, name: &str) {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_dark_window() {
-    if skip_gpu() {
-        return;
-    }
     check(&mut window(Theme::Dark), "window_dark");
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_light_window() {
-    if skip_gpu() {
-        return;
-    }
     check(&mut window(Theme::Light), "window_light");
 }
 
 /// Every view side by side, on the sample, the probe pinned so that all mark it.
 fn every_view(theme: Theme, name: &str) {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window_of(theme, [2000.0, 1250.0]);
     window.state_mut().tiles_side_by_side();
     let ctx = window.ctx.clone();
@@ -114,20 +86,20 @@ fn every_view(theme: Theme, name: &str) {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn every_view_in_the_dark() {
     every_view(Theme::Dark, "views_dark");
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn every_view_in_the_light() {
     every_view(Theme::Light, "views_light");
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn two_spheres_and_logarithmic_lobes() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(Theme::Light);
     run(&mut window, Command::UseShow(Show::SideBySide));
     run(
@@ -138,10 +110,8 @@ fn two_spheres_and_logarithmic_lobes() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_turned_light_is_noticed() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(Theme::Dark);
     let before = window.render().expect("a picture");
     let mut sphere = window

@@ -1,8 +1,17 @@
 //! What needs a window or a graphics adapter: the real window driven by accessible names, its pictures, and the WGSL
 //! twins as numbers.
 
-#[path = "../common/mod.rs"]
-mod common;
+#[path = "../common"]
+mod common {
+    pub mod folder;
+    pub mod gpu;
+    pub mod merl;
+    pub mod random;
+    pub mod records;
+    pub mod tables;
+    pub mod wait;
+    pub mod window;
+}
 
 mod albedo;
 mod error_map;

@@ -7,10 +7,9 @@ use grazing::app::state::State;
 use grazing::app::state::notice::{Level, Notice};
 use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
 use grazing::files;
-use grazing::files::fits::{FitRecord, SourceFile, write_json};
-use grazing::fit::{Ended, Errors, Weight};
+use grazing::files::fits::{FitRecord, SourceFile};
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 fn window(files: &[&Path]) -> Window {
     let files = files.iter().map(|file| file.to_path_buf()).collect();
@@ -23,47 +22,17 @@ fn settle(window: &mut Window) {
 }
 
 fn open(window: &mut Window, file: &Path) {
-    let ctx = window.ctx.clone();
-    let msg = Msg::OpenFiles(vec![file.to_path_buf()]);
-    window.state_mut().handle(&ctx, msg);
+    send(window, Msg::OpenFiles(vec![file.to_path_buf()]));
     settle(window);
 }
 
 /// A fit of this material with this E; s tells one from another.
 fn record(name: &str, source: Option<SourceFile>, s: f64, error: f64) -> FitRecord {
     let brdf = Brdf {
-        model: MODELS[2],
         fresnel: Fresnel::Schlick,
-        params: Params {
-            s,
-            ..Params::default()
-        },
+        ..combined(s, Params::default().alpha)
     };
-    FitRecord {
-        material: name.into(),
-        source,
-        version: "0".into(),
-        weight: Weight::Cosine,
-        limit_deg: 90.0,
-        options: grazing::fit::Options::default(),
-        brdf,
-        errors: Errors {
-            total: error,
-            grazing: None,
-            channels: [error; 3],
-        },
-        stages: Vec::new(),
-        albedo: [[0.5; 3]; 3],
-        evaluations: 1,
-        ended: Ended::Converged,
-        concerns: Vec::new(),
-    }
-}
-
-fn write_fits(path: &Path, fits: &[FitRecord]) {
-    let mut bytes = Vec::new();
-    write_json(fits, &mut bytes).expect("memory takes it");
-    std::fs::write(path, bytes).expect("is written");
+    records::record(name, source, brdf, error)
 }
 
 /// What the command line writes about this file.
@@ -100,22 +69,16 @@ fn said<'a>(state: &'a State, level: Level, words: &str, path: &Path) -> &'a Not
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_best_fit_of_each_material_lies_over_its_measured_file() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = Folder::new();
     let [gold, moved, fits] =
-        ["gold.binary", "moved.binary", "fits.json"].map(|name| folder.path().join(name));
+        ["gold.binary", "moved.binary", "fits.json"].map(|name| folder.path(name));
     write_merl(&gold);
     std::fs::copy(&gold, &moved).expect("is copied");
     let source = source_of(&gold);
     // Another name and no bytes known: it is found beside the fit file under the name it had elsewhere.
-    let elsewhere = SourceFile {
-        path: "/somewhere/else/moved.binary".into(),
-        bytes: None,
-        sha256: None,
-    };
+    let elsewhere = only_named("/somewhere/else/moved.binary");
     write_fits(
         &fits,
         &[
@@ -132,13 +95,11 @@ fn the_best_fit_of_each_material_lies_over_its_measured_file() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn an_open_material_takes_the_model_as_one_step() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = Folder::new();
     let [gold, copy, fits] =
-        ["gold.binary", "copy of gold.binary", "fits.json"].map(|name| folder.path().join(name));
+        ["gold.binary", "copy of gold.binary", "fits.json"].map(|name| folder.path(name));
     write_merl(&gold);
     let source = source_of(&gold);
     write_fits(&fits, &[record("gold", Some(source.clone()), 77.0, 0.1)]);
@@ -182,12 +143,10 @@ fn an_open_material_takes_the_model_as_one_step() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_measured_file_that_is_missing_or_changed_is_named() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    let [gold, fits] = ["gold.binary", "fits.json"].map(|name| folder.path().join(name));
+    let folder = Folder::new();
+    let [gold, fits] = ["gold.binary", "fits.json"].map(|name| folder.path(name));
     let gone = SourceFile {
         path: gold.display().to_string(),
         bytes: Some(1),
@@ -218,11 +177,7 @@ fn a_measured_file_that_is_missing_or_changed_is_named() {
     said(state, Level::Error, "not a MERL file", &gold);
 
     // A fit file that names itself as its data ends too.
-    let circular = SourceFile {
-        path: fits.display().to_string(),
-        bytes: None,
-        sha256: None,
-    };
+    let circular = only_named(&fits);
     write_fits(&fits, &[record("gold", Some(circular), 9.0, 0.1)]);
     let window = self::window(&[&fits]);
     let state = window.state().state();
@@ -231,16 +186,10 @@ fn a_measured_file_that_is_missing_or_changed_is_named() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn plain_models_open_alone_and_bad_json_is_one_line() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    let file = |name: &str, text: &str| -> PathBuf {
-        let path = folder.path().join(name);
-        std::fs::write(&path, text).expect("is written");
-        path
-    };
+    let folder = Folder::new();
+    let file = |name: &str, text: &str| folder.file(name, text);
     let model =
         |s: f64| format!(r#"{{"model": "phong", "rho_d": [1, 0, 0], "k_s": [1, 2, 4], "s": {s}}}"#);
     let one = file("my model.json", &model(3.0));
@@ -251,8 +200,7 @@ fn plain_models_open_alone_and_bad_json_is_one_line() {
     said(state, Level::Info, "my model has no measured file", &one);
 
     let id = window.state().state().notices[0].id;
-    let ctx = window.ctx.clone();
-    window.state_mut().handle(&ctx, Msg::Dismiss(id));
+    send(&mut window, Msg::Dismiss(id));
     let two = file("two.json", &format!("[{}, {}]", model(4.0), model(5.0)));
     open(&mut window, &two);
     let state = window.state().state();
@@ -263,7 +211,7 @@ fn plain_models_open_alone_and_bad_json_is_one_line() {
     ];
     assert_eq!(shown(state), expected);
     let id = said(state, Level::Info, "2 models have no measured file", &two).id;
-    window.state_mut().handle(&ctx, Msg::Dismiss(id));
+    send(&mut window, Msg::Dismiss(id));
 
     for (text, words) in [
         ("[{\"model\": \"pho", "not valid JSON"),
@@ -278,6 +226,6 @@ fn plain_models_open_alone_and_bad_json_is_one_line() {
         let state = window.state().state();
         assert_eq!(shown(state), expected);
         let id = said(state, Level::Error, words, &bad).id;
-        window.state_mut().handle(&ctx, Msg::Dismiss(id));
+        send(&mut window, Msg::Dismiss(id));
     }
 }

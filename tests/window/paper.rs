@@ -1,6 +1,5 @@
 //! A drawing on the screen and on paper: the painter of the window and the rasterised SVG draw the same picture.
 
-use crate::common::skip_gpu;
 use egui::{Color32, Rect, pos2, vec2};
 use egui_kittest::Harness;
 use grazing::app::widgets::paint::paint;
@@ -101,10 +100,8 @@ fn drawings() -> Vec<(&'static str, Drawing)> {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_screen_and_the_paper_show_the_same_picture() {
-    if skip_gpu() {
-        return;
-    }
     let palette = Inks::Color.palette();
     for (name, mut drawing) in drawings() {
         // The window has another font.

@@ -1,6 +1,7 @@
 //! The WGSL twins against the CPU, as numbers, on a real adapter. Both get the same f32 inputs.
 
-use crate::common::{Random, evaluate, gpu};
+use crate::common::gpu::{evaluate, gpu};
+use crate::common::random::Random;
 use glam::DVec3;
 use grazing::brdf::fresnel::FRESNELS;
 use grazing::brdf::wgsl::{UNIFORM_SLOTS, uniform};
@@ -119,16 +120,18 @@ fn item(index: u32) -> vec4f {{
 const MODEL_TOLERANCE: f64 = 2e-5;
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn models_agree() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let worst = worst_model_distance(&gpu, &shader::library());
     println!("models: worst relative distance {worst:.2e}");
     assert!(worst < MODEL_TOLERANCE, "{worst:e}");
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn planted_errors_in_the_models_are_caught() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let library = shader::library();
     for (right, wrong) in [
         ("0.3183098861837907", "0.3185"),
@@ -182,8 +185,9 @@ fn item(index: u32) -> vec4f {{
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn half_and_difference_angles_agree() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let library = shader::library();
     let worst = worst_angle_distance(&gpu, &library);
     println!("angles: worst distance {worst:.2e} rad");
@@ -252,8 +256,9 @@ fn item(index: u32) -> vec4f {{
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn lookups_agree_away_from_the_edges() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let library = shader::library();
     for grid in [Grid::FOLDED, Grid::FULL] {
         for (lookup, tolerance) in [(Lookup::Nearest, 1e-7), (Lookup::Smooth, 1e-3)] {
@@ -287,8 +292,9 @@ fn lookups_agree_away_from_the_edges() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_srgb_curve_agrees() {
-    let Some(gpu) = gpu() else { return };
+    let gpu = gpu();
     let inputs: Vec<[f32; 4]> = (0..2000).map(|k| [k as f32 / 1500.0 - 0.1; 4]).collect();
     let distance = |library: &str| {
         let shader = format!(

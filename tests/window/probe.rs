@@ -1,7 +1,6 @@
 //! One probe through every view of the real window: each sets it, all others mark it.
 
-use crate::common::skip_gpu;
-use crate::common::window::{Window, run, settle, window};
+use crate::common::window::{Window, run, send, settle, window};
 use egui::accesskit::Role;
 use egui::{Pos2, Rect};
 use egui_kittest::kittest::Queryable;
@@ -50,12 +49,6 @@ fn opened() -> Window {
     window
 }
 
-fn send(window: &mut Window, msg: Msg) {
-    let ctx = window.ctx.clone();
-    window.state_mut().handle(&ctx, msg);
-    window.run_steps(3);
-}
-
 fn away(window: &mut Window) {
     window.hover_at(egui::pos2(2.0, 2.0));
     window.run_steps(3);
@@ -99,10 +92,8 @@ fn hover(window: &mut Window, view: &str) -> Probe {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn what_one_view_points_at_all_others_mark() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = opened();
     let blank = picture(&mut window);
     for from in VIEWS {
@@ -144,10 +135,8 @@ fn mode(values: impl Iterator<Item = f32>) -> f32 {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_mark_is_where_its_angles_are() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = opened();
     let blank = picture(&mut window);
     let probe = Probe::in_plane(50f64.to_radians(), 35f64.to_radians());
@@ -194,10 +183,8 @@ fn repaint_delay(window: &Window) -> Duration {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn with_every_tile_an_idle_window_repaints_nothing() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = opened();
     let hour = Duration::from_secs(3600);
     for pinned in [None, Some(Probe::in_plane(0.8, 0.5))] {

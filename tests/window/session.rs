@@ -1,7 +1,11 @@
 //! Sessions in the real window: saved, opened again, with files that moved or changed, and after a crash.
 
-use crate::common::window::{Window, click, press, run, set_slider, settle, window, window_of};
-use crate::common::{skip_gpu, write_merl};
+use crate::common::folder::Folder;
+use crate::common::records::{combined, only_named, record, write_fits, write_merl};
+use crate::common::window::{
+    Window, click, nothing_picked, press, run, send, set_slider, settle, settle_on, window,
+    window_of,
+};
 use eframe::App as _;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
@@ -14,10 +18,9 @@ use grazing::app::state::State;
 use grazing::app::state::notice::Level;
 use grazing::app::state::views::ViewId;
 use grazing::app::{Options, Picker};
-use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
-use grazing::files::SourceFile;
-use grazing::files::fits::{FitRecord, write_json};
-use grazing::fit::{Ended, Errors, Variant, Weight};
+use grazing::brdf::{Fresnel, Params};
+use grazing::files::fits::FitRecord;
+use grazing::fit::{Errors, Variant};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
@@ -29,8 +32,8 @@ fn with_dialogs(files: &[&Path], open: Option<&Path>, save: Option<&Path>) -> Wi
         files: files.iter().map(|file| file.to_path_buf()).collect(),
         picker: Picker {
             open: Arc::new(move || open.clone().into_iter().collect()),
-            folder: Arc::new(|| None),
             save: Arc::new(move |_| save.clone()),
+            ..nothing_picked()
         },
         autosave: None,
     });
@@ -42,55 +45,27 @@ fn with_dialogs(files: &[&Path], open: Option<&Path>, save: Option<&Path>) -> Wi
 fn kept_in(folder: &Path, files: &[&Path]) -> Window {
     let mut window = window_of(Options {
         files: files.iter().map(|file| file.to_path_buf()).collect(),
-        picker: Picker {
-            open: Arc::new(Vec::new),
-            folder: Arc::new(|| None),
-            save: Arc::new(|_| None),
-        },
+        picker: nothing_picked(),
         autosave: Some(folder.to_owned()),
     });
     window.state_mut().close_tiles();
     window
 }
 
-fn send(window: &mut Window, msg: Msg) {
-    let ctx = window.ctx.clone();
-    window.state_mut().handle(&ctx, msg);
-    window.run_steps(3);
-}
-
-/// A fit of the file that a fit file brings: a real one takes longer than these tests.
+/// A fit of the file that a fit file brings, with errors that differ from each other.
 fn fit_of(gold: &Path) -> FitRecord {
-    let brdf = Brdf {
-        model: MODELS[2],
-        fresnel: Fresnel::Exact,
-        params: Params {
-            s: 21.0,
-            ..Params::default()
-        },
-    };
     FitRecord {
-        material: "gold".into(),
-        source: Some(SourceFile {
-            path: gold.display().to_string(),
-            bytes: None,
-            sha256: None,
-        }),
-        version: "0".into(),
-        weight: Weight::Cosine,
-        limit_deg: 90.0,
-        options: grazing::fit::Options::default(),
-        brdf,
         errors: Errors {
             total: 0.125,
             grazing: Some(0.25),
             channels: [0.1, 0.2, 0.3],
         },
-        stages: Vec::new(),
-        albedo: [[0.5; 3]; 3],
-        evaluations: 1,
-        ended: Ended::Converged,
-        concerns: Vec::new(),
+        ..record(
+            "gold",
+            Some(only_named(gold)),
+            combined(21.0, Params::default().alpha),
+            0.125,
+        )
     }
 }
 
@@ -98,9 +73,7 @@ fn fit_of(gold: &Path) -> FitRecord {
 fn make_rich(window: &mut Window, gold: &Path) {
     let (record, fits) = (fit_of(gold), gold.with_extension("json"));
     let fitted = Variant::from(&record.brdf);
-    let mut text = Vec::new();
-    write_json(&[record], &mut text).expect("memory takes it");
-    fs::write(&fits, text).expect("written");
+    write_fits(&fits, &[record]);
     send(window, Msg::OpenFiles(vec![fits]));
     settle(window, |state| state.jobs.is_empty());
     send(window, Msg::Fit(FitMsg::Overlay(fitted, true)));
@@ -168,16 +141,14 @@ fn dismiss_all(window: &mut Window) {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_saved_session_opens_in_a_new_window_with_the_same_numbers_on_screen() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    let [gold, tin] = ["gold.binary", "tin.binary"].map(|name| folder.path().join(name));
+    let folder = Folder::new();
+    let [gold, tin] = ["gold.binary", "tin.binary"].map(|name| folder.path(name));
     write_merl(&gold);
     fs::copy(&gold, &tin).expect("copied");
-    let chosen = folder.path().join("teflon study");
-    let file = folder.path().join("teflon study.grazing.json");
+    let chosen = folder.path("teflon study");
+    let file = folder.path("teflon study.grazing.json");
     let mut first = with_dialogs(&[&gold, &tin], None, Some(&chosen));
     make_rich(&mut first, &gold);
     press(&mut first, Modifiers::COMMAND, Key::S);
@@ -219,12 +190,10 @@ fn a_saved_session_opens_in_a_new_window_with_the_same_numbers_on_screen() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_title_of_the_window_is_the_name_of_the_session() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("a study.grazing.json");
+    let folder = Folder::new();
+    let file = folder.path("a study.grazing.json");
     fs::write(&file, r#"{"grazing_session": 1, "materials": []}"#).expect("written");
     let mut window = window(vec![], vec![file.clone()]);
     let titles = |window: &Window| -> Vec<String> {
@@ -238,15 +207,9 @@ fn the_title_of_the_window_is_the_name_of_the_session() {
             .collect()
     };
     window.key_press_modifiers(Modifiers::COMMAND, Key::O);
-    let mut seen = Vec::new();
-    for _ in 0..200 {
-        window.step();
-        seen.extend(titles(&window));
-        if !seen.is_empty() {
-            break;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(5));
-    }
+    let seen = settle_on(&mut window, |window| {
+        Some(titles(window)).filter(|titles| !titles.is_empty())
+    });
     assert_eq!(seen, ["a study — Grazing"]);
     // What was open comes back, under no name.
     assert!(window.state().state().scene.opened.is_empty());
@@ -277,13 +240,11 @@ fn moved(folder: &Path) -> (PathBuf, PathBuf, String) {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_missing_material_is_asked_for_and_the_one_beside_it_is_found_too() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    let (file, there, before) = moved(folder.path());
-    let again = folder.path().join("again.grazing.json");
+    let folder = Folder::new();
+    let (file, there, before) = moved(folder.root());
+    let again = folder.path("again.grazing.json");
     let mut window = with_dialogs(&[&file], Some(&there.join("gold.binary")), Some(&again));
     let state = window.state().state();
     // The rest is open, and the models too whose data are missing.
@@ -291,7 +252,7 @@ fn a_missing_material_is_asked_for_and_the_one_beside_it_is_found_too() {
     assert_eq!(state.materials[&state.scene.opened[0].id].fits.len(), 1);
     assert!(state.current().expect("one").0.table.valid_count() > 0);
     window.get_by_label("gold is not where it was");
-    let tried = folder.path().join("here/gold.binary").display().to_string();
+    let tried = folder.path("here/gold.binary").display().to_string();
     window.get_by_label(&tried);
     // Saved while they are missing, nothing of them is lost.
     run(&mut window, Command::SaveSessionAs);
@@ -313,14 +274,12 @@ fn a_missing_material_is_asked_for_and_the_one_beside_it_is_found_too() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn files_moved_with_their_session_are_found_and_skipping_leaves_the_rest() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    let (file, there, _) = moved(folder.path());
+    let folder = Folder::new();
+    let (file, there, _) = moved(folder.root());
     // As they were: "here" beside the session, in another folder.
-    let other = folder.path().join("other");
+    let other = folder.path("other");
     fs::create_dir(&other).expect("a folder");
     fs::rename(&there, other.join("here")).expect("moved");
     let there = other.join("study.grazing.json");
@@ -342,14 +301,12 @@ fn files_moved_with_their_session_are_found_and_skipping_leaves_the_rest() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_changed_file_opens_and_is_noticed() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    let gold = folder.path().join("gold.binary");
+    let folder = Folder::new();
+    let gold = folder.path("gold.binary");
     write_merl(&gold);
-    let file = folder.path().join("study.grazing.json");
+    let file = folder.path("study.grazing.json");
     let mut window = with_dialogs(&[&gold], None, Some(&file));
     set_slider(&mut window, "s", 17.0);
     press(&mut window, Modifiers::COMMAND, Key::S);
@@ -374,11 +331,9 @@ fn a_changed_file_opens_and_is_noticed() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn broken_sessions_leave_what_is_open_and_say_why_in_one_line() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = Folder::new();
     let mut window = window(vec![], vec![]);
     let before = data(&window);
     for (text, words) in [
@@ -400,7 +355,7 @@ fn broken_sessions_leave_what_is_open_and_say_why_in_one_line() {
         ),
         ("", "empty"),
     ] {
-        let path = folder.path().join("bad.grazing.json");
+        let path = folder.path("bad.grazing.json");
         fs::write(&path, text).expect("written");
         send(&mut window, Msg::OpenFiles(vec![path.clone()]));
         settle(&mut window, |state| state.jobs.is_empty());
@@ -423,25 +378,18 @@ fn left_in(folder: &Path) -> Vec<PathBuf> {
 
 /// Lets time pass until what is open is kept. Steps are 0.03 s for the window.
 fn until_kept(window: &mut Window, folder: &Path) -> PathBuf {
-    for _ in 0..2000 {
-        window.step();
+    settle_on(window, |_| {
         let mut left = left_in(folder).into_iter();
-        if let Some(file) = left.find(|path| path.extension().is_some_and(|e| e == "json")) {
-            return file;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(2));
-    }
-    panic!("nothing is kept in {}", folder.display());
+        left.find(|path| path.extension().is_some_and(|e| e == "json"))
+    })
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn after_a_crash_what_was_open_is_offered_and_restored() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    let kept = folder.path().join("autosave");
-    let gold = folder.path().join("gold.binary");
+    let folder = Folder::new();
+    let kept = folder.path("autosave");
+    let gold = folder.path("gold.binary");
     write_merl(&gold);
     let mut first = kept_in(&kept, &[&gold]);
     set_slider(&mut first, "s", 44.0);
@@ -456,7 +404,7 @@ fn after_a_crash_what_was_open_is_offered_and_restored() {
     // It goes without its last words.
     drop(first);
 
-    let tin = folder.path().join("tin.binary");
+    let tin = folder.path("tin.binary");
     fs::copy(&gold, &tin).expect("copied");
     let mut second = kept_in(&kept, &[&tin]);
     assert_eq!(
@@ -494,12 +442,10 @@ fn after_a_crash_what_was_open_is_offered_and_restored() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn what_is_discarded_is_not_offered_again_and_a_clean_exit_leaves_nothing() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    let kept = folder.path();
+    let folder = Folder::new();
+    let kept = folder.root();
     let mut first = kept_in(kept, &[]);
     // What every start shows is not worth keeping.
     first.run_steps(150);
@@ -510,12 +456,7 @@ fn what_is_discarded_is_not_offered_again_and_a_clean_exit_leaves_nothing() {
 
     let mut second = kept_in(kept, &[]);
     click(&mut second, "Discard");
-    for _ in 0..200 {
-        if left_in(kept).len() == 1 {
-            break;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(5));
-    }
+    settle_on(&mut second, |_| (left_in(kept).len() == 1).then_some(()));
     set_slider(&mut second, "s", 55.0);
     until_kept(&mut second, kept);
     second.state_mut().on_exit();
@@ -526,12 +467,10 @@ fn what_is_discarded_is_not_offered_again_and_a_clean_exit_leaves_nothing() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn an_idle_window_neither_writes_nor_repaints() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    let mut window = kept_in(folder.path(), &[]);
+    let folder = Folder::new();
+    let mut window = kept_in(folder.root(), &[]);
     set_slider(&mut window, "s", 44.0);
     let delay = |window: &Window| {
         let outputs = window.output().viewport_output.values();
@@ -544,7 +483,7 @@ fn an_idle_window_neither_writes_nor_repaints() {
     window.run_steps(5);
     let waits = delay(&window).as_secs_f64();
     assert!((0.5..=3.0).contains(&waits), "{waits}");
-    let file = until_kept(&mut window, folder.path());
+    let file = until_kept(&mut window, folder.root());
     window.run_steps(10);
     assert!(delay(&window).as_secs() > 3600);
     let written = || {
@@ -558,23 +497,16 @@ fn an_idle_window_neither_writes_nor_repaints() {
     // A change is written again.
     set_slider(&mut window, "s", 45.0);
     let text = fs::read_to_string(&file).expect("there");
-    for _ in 0..1000 {
-        window.step();
-        if fs::read_to_string(&file).expect("there") != text {
-            return;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(2));
-    }
-    panic!("the change is not kept");
+    settle_on(&mut window, |_| {
+        (fs::read_to_string(&file).expect("there") != text).then_some(())
+    });
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_folder_where_nothing_can_be_kept_is_named() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("file");
+    let folder = Folder::new();
+    let file = folder.path("file");
     fs::write(&file, "").expect("written");
     let below = file.join("autosave");
     let window = kept_in(&below, &[]);
@@ -585,12 +517,10 @@ fn a_folder_where_nothing_can_be_kept_is_named() {
 
 /// Where a save is refused, the file that was there stays and the reason is said.
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_save_that_fails_says_so_and_leaves_what_was_there() {
-    if skip_gpu() {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    let nowhere = folder.path().join("no/such/study.grazing.json");
+    let folder = Folder::new();
+    let nowhere = folder.path("no/such/study.grazing.json");
     let mut window = with_dialogs(&[], None, Some(&nowhere));
     run(&mut window, Command::SaveSession);
     settle(&mut window, |state| !state.notices.is_empty());
@@ -602,12 +532,11 @@ fn a_save_that_fails_says_so_and_leaves_what_was_there() {
     let mut window = window_of(Options {
         files: vec![],
         picker: Picker {
-            open: Arc::new(Vec::new),
-            folder: Arc::new(|| None),
             save: Arc::new(move |name| {
                 *heard.lock().expect("nobody panicked") = name.into();
                 None
             }),
+            ..nothing_picked()
         },
         autosave: None,
     });

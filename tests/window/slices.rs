@@ -1,6 +1,5 @@
 //! The slices in the real window.
 
-use crate::common::skip_gpu;
 use crate::common::window::{Window, click, drag, press, run, wheel, window};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
@@ -54,10 +53,8 @@ fn at(window: &Window, x: f32, y: f32) -> egui::Pos2 {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_probe_is_what_is_under_the_pointer() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = opened();
     window.hover_at(at(&window, 0.75, 0.5));
     window.run_steps(2);
@@ -79,10 +76,8 @@ fn the_probe_is_what_is_under_the_pointer() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_wheel_zooms_a_drag_pans_and_a_double_click_resets() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = opened();
     let wheel_at = |window: &mut Window, x: f32| {
         window.hover_at(at(window, x, 0.5));
@@ -115,10 +110,8 @@ fn the_wheel_zooms_a_drag_pans_and_a_double_click_resets() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn settings_change_and_undo_takes_them_back() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = opened();
     click(&mut window, "θh");
     assert_eq!(view(&window).spec.over, Over::ThetaH);
@@ -131,10 +124,8 @@ fn settings_change_and_undo_takes_them_back() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn slices_follow_a_pinned_probe() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = opened();
     set(&mut window, |view| {
         view.spec.over = Over::ThetaH;

@@ -1,6 +1,5 @@
 //! The tiles of the real window: the probe they share, their legends, their places.
 
-use crate::common::skip_gpu;
 use crate::common::window::{Window, drag, press, run, wheel, window};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
@@ -12,10 +11,8 @@ use grazing::app::views::lobes::settings::LobeSettings;
 use grazing::app::views::sphere::settings::SphereSettings;
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_click_pins_the_probe_and_copies_its_row() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     let rect = window
         .get_by_role_and_label(Role::Image, "Polar lobes")
@@ -47,10 +44,8 @@ fn a_click_pins_the_probe_and_copies_its_row() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_wheel_enlarges_the_sphere_around_the_pointer() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     let rect = window.get_by_role_and_label(Role::Image, "Sphere").rect();
     let at = rect.center() + egui::vec2(20.0, -30.0);
@@ -89,10 +84,8 @@ fn the_wheel_enlarges_the_sphere_around_the_pointer() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_name_in_the_legend_hides_its_curves() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     let hidden = |window: &Window| window.state().state().scene.hidden.len();
     let click = |window: &mut Window, name: &str| {
@@ -115,10 +108,8 @@ fn a_name_in_the_legend_hides_its_curves() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn tiles_close_and_come_back() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     let toggle = Command::ToggleTile(ViewId::Lobes);
     let lobes = |window: &Window| {
@@ -143,10 +134,8 @@ fn tiles_close_and_come_back() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_wheel_zooms_the_lobes_and_a_double_click_puts_them_back() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     let rect = window
         .get_by_role_and_label(Role::Image, "Polar lobes")

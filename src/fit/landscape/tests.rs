@@ -1,7 +1,7 @@
 use super::*;
 use crate::brdf::{BLINN_PHONG, PHONG};
 use crate::fit::options::{NO_LIMIT, Weight};
-use crate::measured::{Grid, Table};
+use crate::measured::{Grid, modelled};
 
 /// A model whose s and α are a node of every grid.
 fn truth() -> Brdf {
@@ -19,19 +19,7 @@ fn truth() -> Brdf {
 }
 
 fn problem(brdf: &Brdf) -> Problem {
-    let grid = Grid::FOLDED;
-    let cells = (0..grid.len())
-        .map(|index| {
-            let (h, d, phi) = grid.bins(index);
-            let c = grid.center(h, d, phi).cosines();
-            if c.above_horizon() {
-                brdf.eval(&c).map(|x| x as f32)
-            } else {
-                [-1.0; 3]
-            }
-        })
-        .collect();
-    Problem::new(&Table::new(grid, cells), Weight::Cosine, NO_LIMIT).expect("cells")
+    Problem::new(&modelled(brdf, Grid::FOLDED), Weight::Cosine, NO_LIMIT).expect("cells")
 }
 
 fn made(problem: &Problem, fresnel: Fresnel, eta: Eta) -> Landscape {

@@ -1,9 +1,9 @@
 //! Tables, models and fits for the tests.
 
+pub use crate::common::tables::table;
 use grazing::brdf::{Brdf, Fresnel, Model, ParamId, Params};
 use grazing::fit::options::NO_LIMIT;
 use grazing::fit::{self, Options, Outcome, Problem, Progress, Variant, Weight};
-use grazing::geom::{Cosines, Rgb};
 use grazing::measured::{Grid, SAMPLES, Sample, Table};
 use std::ops::ControlFlow;
 use std::sync::OnceLock;
@@ -29,18 +29,6 @@ pub fn brdf(key: &str, fresnel: Fresnel, s: f64, alpha: f64, eta: f64) -> Brdf {
         alpha,
         eta,
     })
-}
-
-/// A table of what a closure says of (index, cosines) above the horizon; `None` is invalid.
-pub fn table(grid: Grid, f_r: impl Fn(usize, &Cosines) -> Option<Rgb>) -> Table {
-    let cell = |index| {
-        let (h, d, phi) = grid.bins(index);
-        let cosines = grid.center(h, d, phi).cosines();
-        let above = cosines.cos_theta_i > 0.0 && cosines.cos_theta_o > 0.0;
-        let value = above.then(|| f_r(index, &cosines)).flatten();
-        value.map_or([-1.0; 3], |value| value.map(|x| x as f32))
-    };
-    Table::new(grid, (0..grid.len()).map(cell).collect())
 }
 
 /// The table of a model, with one cell in `thinning` valid.

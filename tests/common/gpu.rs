@@ -1,31 +1,13 @@
-//! What the tests on the graphics adapter share.
-#![allow(dead_code, reason = "every test uses its own part of this")]
-
-pub mod window;
+//! The graphics adapter, and shaders run on it.
 
 use grazing::gpu::adapter::{Gpu, headless};
 use grazing::gpu::table_texture::TableTexture;
 
-/// Whether SKIP_GPU=1 asks to leave out what needs an adapter; says so.
-pub fn skip_gpu() -> bool {
-    let skip = std::env::var("SKIP_GPU").is_ok_and(|value| value == "1");
-    if skip {
-        eprintln!("SKIP_GPU=1: skipped");
-    }
-    skip
-}
-
-/// The adapter; `None` if SKIP_GPU=1. Without either the test fails.
-pub fn gpu() -> Option<Gpu> {
-    if skip_gpu() {
-        return None;
-    }
-    match headless() {
-        Ok(gpu) => Some(gpu),
-        Err(reason) => {
-            panic!("no graphics adapter ({reason}); install mesa-vulkan-drivers or set SKIP_GPU=1")
-        }
-    }
+/// The adapter. Without one the test fails; with SKIP_GPU=1 the tests that want it are ignored (see `build.rs`).
+pub fn gpu() -> Gpu {
+    headless().unwrap_or_else(|reason| {
+        panic!("no graphics adapter ({reason}); install mesa-vulkan-drivers or set SKIP_GPU=1")
+    })
 }
 
 /// Runs `fn item(index: u32) -> vec4f` of a shader for every index; the shader reads `inputs: array<vec4f>` and
@@ -116,47 +98,4 @@ pub fn evaluate(
         .expect("the device answers");
     let mapped = readback.slice(..).get_mapped_range().expect("mapped");
     bytemuck::cast_slice(&mapped).to_vec()
-}
-
-/// Numbers in [0, 1) from a counter (SplitMix64): the same in every run.
-pub struct Random(pub u64);
-
-impl Random {
-    pub fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    pub fn log_between(&mut self, low: f64, high: f64) -> f64 {
-        self.between(low.ln(), high.ln()).exp()
-    }
-}
-
-/// Writes a small made-up material in MERL layout: a grey diffuse one, unmeasured below the horizon.
-pub fn write_merl(path: &std::path::Path) {
-    let grid = grazing::measured::Grid::FOLDED;
-    let mut bytes = Vec::with_capacity(34_992_012);
-    for n in [90i32, 90, 180] {
-        bytes.extend(n.to_le_bytes());
-    }
-    for scale in [1.0, 1.15, 1.66] {
-        for index in 0..grid.len() {
-            let (h, d, phi) = grid.bins(index);
-            let c = grid.center(h, d, phi).cosines();
-            let stored: f64 = if c.above_horizon() {
-                0.1 * 1500.0 / scale
-            } else {
-                -1.0
-            };
-            bytes.extend(stored.to_le_bytes());
-        }
-    }
-    std::fs::write(path, bytes).expect("written");
 }
