@@ -207,7 +207,7 @@ mod tests {
     use crate::brdf::{COMBINED, Fresnel, Params};
     use crate::fit::Problem;
     use crate::fit::options::{NO_LIMIT, WEIGHTS};
-    use crate::measured::modelled;
+    use crate::measured::tabulate;
 
     fn brdf(s: f64) -> Brdf {
         Brdf {
@@ -298,7 +298,7 @@ mod tests {
         let grid = Grid::FOLDED;
         let model = brdf(30.0);
         let (h, d, phi) = (40, 30, 70);
-        let cells = modelled(&model, grid).cells().to_vec();
+        let cells = tabulate(&model, grid).cells().to_vec();
         let mut spoilt = cells.clone();
         spoilt[grid.index(h, d, phi)] = [1000.0; 3];
         let map = |cells| {

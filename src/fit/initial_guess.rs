@@ -151,7 +151,7 @@ fn absolute_error(samples: &[Sample], shapes: &[f64], channel: usize, rho_d: f64
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::measured::{Grid, modelled};
+    use crate::measured::{Grid, tabulate};
 
     #[test]
     fn the_guess_is_near_the_model_that_made_the_data() {
@@ -166,7 +166,7 @@ mod tests {
                 eta: 1.5,
             },
         };
-        let guess = from_table(&modelled(&truth, Grid::FOLDED)).params;
+        let guess = from_table(&tabulate(&truth, Grid::FOLDED)).params;
         for k in 0..3 {
             assert!(
                 (guess.rho_d[k] / truth.params.rho_d[k] - 1.0).abs() < 0.1,
@@ -184,7 +184,7 @@ mod tests {
         );
         // A planted change of the data moves the guess.
         truth.params.s = 600.0;
-        assert!(from_table(&modelled(&truth, Grid::FOLDED)).params.s > 4.0 * guess.s);
+        assert!(from_table(&tabulate(&truth, Grid::FOLDED)).params.s > 4.0 * guess.s);
     }
 
     #[test]

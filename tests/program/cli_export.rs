@@ -1,6 +1,7 @@
 //! `grazing export` as a person meets it: what is written, and one clear line for everything that is wrong.
 
-use crate::common::program::{Folder, failed, grazing, stderr, stdout, succeeded};
+use crate::common::folder::Folder;
+use crate::common::program::{failed, grazing, stderr, stdout, succeeded};
 use grazing::brdf::{Brdf, COMBINED, Fresnel, Params, codegen};
 use grazing::geom::direction;
 use grazing::measured::{Lookup, merl};

@@ -1,6 +1,8 @@
 //! `grazing fit` as a person meets it: what the files hold, and one clear line for everything that is wrong.
 
-use crate::common::program::{Folder, failed, grazing, stderr, stdout, succeeded};
+use crate::common::folder::Folder;
+use crate::common::merl::merl_file;
+use crate::common::program::{failed, grazing, stderr, stdout, succeeded};
 use grazing::brdf::{Brdf, COMBINED, Fresnel, MODELS, Params};
 use grazing::geom::direction;
 use serde_json::Value;

@@ -18,7 +18,6 @@ use grazing::app::state::views::{VIEWS, ViewId};
 use grazing::export::{FigureSpec, Format};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 use std::{fs, process};
 
 /// A window whose dialog for saving answers with this path.
@@ -59,8 +58,8 @@ fn the_window_and_the_command_write_the_same_bytes() {
         let mut prefs = window.state().state().prefs.figure.clone();
         prefs.format = format;
         prefs.style.font_pt = 7.5;
-        handle(&mut window, Msg::Figure(FigureMsg::Set(prefs)));
-        handle(
+        send(&mut window, Msg::Figure(FigureMsg::Set(prefs)));
+        send(
             &mut window,
             Msg::Figure(FigureMsg::Choose(vec![ViewId::Lobes, ViewId::Slices])),
         );
@@ -122,7 +121,7 @@ fn a_place_that_cannot_be_written_to_is_named_and_a_foreign_file_is_kept() {
     let export = |path: PathBuf, wanted: &str| {
         let mut window = saving_to(path);
         run(&mut window, Command::ExportFigure);
-        handle(&mut window, Msg::Figure(FigureMsg::Export));
+        send(&mut window, Msg::Figure(FigureMsg::Export));
         settle(&mut window, |state| said(state, wanted));
     };
     export(folder.path("no/lobes.svg"), "there is no directory");

@@ -1,6 +1,5 @@
 //! Help ▸ Guide: the pages inside the window.
 
-use crate::common::skip_gpu;
 use crate::common::window::{Window, click, press, run, window};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
@@ -27,10 +26,8 @@ fn top(window: &Window, words: &str) -> Option<f32> {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_menu_opens_the_guide_and_links_lead_on() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     click(&mut window, "Help");
     click(&mut window, "Guide");
@@ -53,10 +50,8 @@ fn the_menu_opens_the_guide_and_links_lead_on() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_link_into_a_page_shows_its_heading_and_a_web_link_asks_for_a_browser() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     run(&mut window, Command::Guide);
     click(&mut window, "Formats");
@@ -100,10 +95,8 @@ fn lacking(window: &Window, text: &str) -> Vec<char> {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_fonts_have_every_letter_of_the_pages() {
-    if skip_gpu() {
-        return;
-    }
     let window = window(vec![], vec![]);
     let all: String = PAGES.iter().map(|page| page.text).collect();
     assert_eq!(lacking(&window, &all), Vec::<char>::new());

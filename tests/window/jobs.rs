@@ -1,7 +1,7 @@
 //! A job that panics is said once, and the window goes on: one planted panic in each kind of job.
 
+use crate::common::records::write_merl;
 use crate::common::window::{Window, run, settle, window, window_with};
-use crate::common::{skip_gpu, write_merl};
 use grazing::app::Picker;
 use grazing::app::command::Command;
 use grazing::app::msg::Msg;
@@ -45,10 +45,8 @@ fn send(window: &mut Window, msg: Msg) {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_loader_goes_on() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     window.state().plant_panic("making");
     run(&mut window, Command::OpenSample(1));
@@ -60,10 +58,8 @@ fn the_loader_goes_on() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_scan_of_a_folder_goes_on() {
-    if skip_gpu() {
-        return;
-    }
     let folder = tempfile::tempdir().expect("a folder");
     for name in ["a.binary", "b.binary"] {
         write_merl(&folder.path().join(name));
@@ -87,10 +83,8 @@ fn the_scan_of_a_folder_goes_on() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_fit_goes_on() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     window.state().plant_panic("fitting");
     run(&mut window, Command::Fit);
@@ -112,10 +106,8 @@ fn a_fit_goes_on() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_view_goes_on() {
-    if skip_gpu() {
-        return;
-    }
     let mut window = window(vec![], vec![]);
     window.state().plant_panic("albedo of the data");
     run(&mut window, Command::ToggleTile(ViewId::Albedo));
@@ -135,10 +127,8 @@ fn a_view_goes_on() {
 }
 
 #[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_preview_and_an_export_go_on() {
-    if skip_gpu() {
-        return;
-    }
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("lobes.svg");
     let to = file.clone();

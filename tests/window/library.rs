@@ -17,7 +17,7 @@ use grazing::app::state::material::Presence;
 use grazing::app::state::views::ViewId;
 use grazing::app::state::{State, memory};
 use grazing::app::views::scatter::settings::ScatterSettings;
-use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
+use grazing::brdf::Fresnel;
 use grazing::figure::palette::Role as ColorRole;
 use grazing::figure::scatter::{ScatterDot, ScatterPlot};
 use grazing::files::fits::FitRecord;

@@ -10,9 +10,7 @@ use grazing::app::views::albedo::work::{MeasuredAlbedo, ModelAlbedo};
 use grazing::app::views::error_map::work::ErrorMapQuery;
 use grazing::app::views::landscape::work::LandscapeQuery;
 use grazing::app::views::sphere::settings::{Show, SphereSettings};
-use grazing::app::{App, Options, Picker};
-use std::sync::Arc;
-use std::time::{Duration, Instant};
+use grazing::app::{App, Options};
 
 fn window(theme: Theme) -> Window {
     window_of(theme, [1000.0, 640.0])

@@ -1,11 +1,12 @@
 //! Fit files opened in the real window.
 
-use crate::common::window::Window;
-use crate::common::{skip_gpu, write_merl};
+use crate::common::folder::Folder;
+use crate::common::records::{self, combined, only_named, write_fits, write_merl};
+use crate::common::window::{Window, send};
 use grazing::app::msg::Msg;
 use grazing::app::state::State;
 use grazing::app::state::notice::{Level, Notice};
-use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
+use grazing::brdf::{Brdf, Fresnel, Params};
 use grazing::files;
 use grazing::files::fits::{FitRecord, SourceFile};
 use std::ops::ControlFlow;

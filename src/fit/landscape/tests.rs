@@ -1,7 +1,7 @@
 use super::*;
 use crate::brdf::{BLINN_PHONG, PHONG};
 use crate::fit::options::{NO_LIMIT, Weight};
-use crate::measured::{Grid, modelled};
+use crate::measured::{Grid, tabulate};
 
 /// A model whose s and α are a node of every grid.
 fn truth() -> Brdf {
@@ -19,7 +19,7 @@ fn truth() -> Brdf {
 }
 
 fn problem(brdf: &Brdf) -> Problem {
-    Problem::new(&modelled(brdf, Grid::FOLDED), Weight::Cosine, NO_LIMIT).expect("cells")
+    Problem::new(&tabulate(brdf, Grid::FOLDED), Weight::Cosine, NO_LIMIT).expect("cells")
 }
 
 fn made(problem: &Problem, fresnel: Fresnel, eta: Eta) -> Landscape {
