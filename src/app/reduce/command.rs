@@ -4,10 +4,12 @@ use crate::app::command::Command;
 use crate::app::guide::GuideAt;
 use crate::app::msg::figure::FigureTask;
 use crate::app::msg::fit::FitMsg;
-use crate::app::msg::library::{LibraryMsg, LibraryTask};
-use crate::app::msg::{ModelExport, Msg, Task};
+use crate::app::msg::library::LibraryTask;
+use crate::app::msg::{ModelExport, Task};
 use crate::app::reduce::opening::load;
-use crate::app::reduce::{apply, edit, edit_brdf, figure, fit, folder_fit, lesson, session, show};
+use crate::app::reduce::{
+    edit, edit_brdf, figure, fit, folder_fit, lesson, library, opening, session, show,
+};
 use crate::app::state::State;
 use crate::app::state::fitting::settings::Settings;
 use crate::app::state::layout::Tiles;
@@ -35,10 +37,7 @@ pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
                 .into_iter()
                 .collect();
         }
-        Command::Close => {
-            let selected = state.scene.selected;
-            return apply(state, Msg::Close(selected));
-        }
+        Command::Close => opening::close(state, state.scene.selected),
         Command::ExportModel(format) => {
             let export = state.current().map(|(material, opened)| ModelExport {
                 format,
@@ -108,7 +107,7 @@ pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
         Command::NextMaterial => return show::step(state, 1),
         Command::PreviousMaterial => return show::step(state, -1),
         Command::OpenFolder => return vec![Task::Library(LibraryTask::Pick)],
-        Command::CloseFolder => return apply(state, Msg::Library(LibraryMsg::Close)),
+        Command::CloseFolder => library::close(state),
         Command::FitFolder => return folder_fit::start(state, false),
         Command::FitFolderAll => return folder_fit::start(state, true),
         Command::CancelFitFolder => state.library.run = None,
@@ -128,8 +127,8 @@ pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
             scene.views.get_mut::<LobeSettings>().scale = scale;
         }),
         Command::ToggleCosine => edit(state, |scene| {
-            scene.views.get_mut::<LobeSettings>().with_cosine =
-                !scene.views.get::<LobeSettings>().with_cosine;
+            let lobes = scene.views.get_mut::<LobeSettings>();
+            lobes.with_cosine = !lobes.with_cosine;
         }),
         Command::ToggleRaw => edit(state, |scene| {
             scene.lookup = if scene.lookup == Lookup::Nearest {
@@ -145,16 +144,15 @@ pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
         Command::ExportFigure => figure::open(state),
         Command::Copy => {
             let values = state.pinned.is_some() || state.views.pointed.is_none();
-            let command = if values && Command::CopyProbe.is_enabled(state) {
-                Command::CopyProbe
+            return if values && Command::CopyProbe.is_enabled(state) {
+                copy_probe(state)
             } else {
-                Command::CopyPicture
+                figure::copy(state, FigureTask::CopyPicture)
             };
-            return run(state, command);
         }
         Command::CopyPicture => return figure::copy(state, FigureTask::CopyPicture),
         Command::CopyNumbers => return figure::copy(state, FigureTask::CopyNumbers),
-        Command::CopyProbe => return state.probe_row().map(Task::Copy).into_iter().collect(),
+        Command::CopyProbe => return copy_probe(state),
         Command::CopyParams => {
             if let Some((_, opened)) = state.current() {
                 return vec![Task::Copy(
@@ -177,6 +175,11 @@ pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
         Command::About => state.dialog = Some(Dialog::About),
     }
     Vec::new()
+}
+
+/// Puts the row of the probe on the clipboard.
+fn copy_probe(state: &State) -> Vec<Task> {
+    state.probe_row().map(Task::Copy).into_iter().collect()
 }
 
 /// k_s·R_F(0) stays, so that the highlight seen from above does.

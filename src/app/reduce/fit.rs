@@ -246,8 +246,38 @@ fn end(state: &mut State, run: Run, outcomes: Vec<Timed>) {
                 trace: part.updates,
                 overlaid: false,
             };
-            state.keep_fit(material, fit);
+            keep_fit(state, material, fit);
         }
+    }
+}
+
+/// Keeps a fit of a material in place of the one of the same variant.
+///
+/// One that was cancelled does not replace one that was made with the same setup and ran to its end.
+/// Of a file, it is kept with the path too: the file may be opened again.
+pub(crate) fn keep_fit(state: &mut State, material: MaterialId, mut fit: KeptFit) {
+    let Some(material) = state.materials.get_mut(&material) else {
+        return;
+    };
+    let variant = fit.variant();
+    match material
+        .fits
+        .iter_mut()
+        .find(|kept| kept.variant() == fit.variant())
+    {
+        Some(kept)
+            if fit.is_cancelled()
+                && !kept.is_cancelled()
+                && kept.setup.asks_the_same(&fit.setup) => {}
+        Some(kept) => {
+            fit.overlaid = kept.overlaid;
+            *kept = fit;
+        }
+        None => material.fits.push(fit),
+    }
+    if let (Some(path), Some(kept)) = (material.file(), material.fit(variant)) {
+        let record = kept.record(material.name.clone(), material.source.clone());
+        state.library.keep_fit(&path, record);
     }
 }
 

@@ -49,7 +49,7 @@ pub(crate) fn arrived(state: &mut State, id: MaterialId, fits: &MaterialFits) {
     let (name, source) = (name.clone(), source.clone());
     for record in fits.entries.iter().filter_map(|entry| entry.fit.as_ref()) {
         if same_data(source.as_ref(), record.source.as_ref()) != Some(false) {
-            state.keep_fit(id, KeptFit::from(record));
+            fit::keep_fit(state, id, KeptFit::from(record));
         }
     }
     let best = fits.entries.first().and_then(|best| best.source.as_ref());

@@ -2,6 +2,7 @@
 
 use crate::app::msg::Task;
 use crate::app::msg::library::{FolderFit, FolderFitUpdate, LibraryTask};
+use crate::app::reduce::fit::keep_fit;
 use crate::app::reduce::{fit_files, notify};
 use crate::app::state::State;
 use crate::app::state::fitting::kept::KeptFit;
@@ -122,7 +123,7 @@ fn keep(state: &mut State, path: &Path, fit: FitRecord) {
     if let Some(id) = opened.map(|opened| opened.id) {
         let source = state.materials.get(&id).and_then(|m| m.source.as_ref());
         if fit_files::same_data(source, fit.source.as_ref()) != Some(false) {
-            state.keep_fit(id, KeptFit::from(&fit));
+            keep_fit(state, id, KeptFit::from(&fit));
         }
     }
     state.library.keep_fit(path, fit);

@@ -2,9 +2,9 @@
 
 use crate::app::lessons::Set;
 use crate::app::lessons::rows::LESSONS;
-use crate::app::msg::{Msg, Task};
+use crate::app::msg::Task;
 use crate::app::reduce::opening::load;
-use crate::app::reduce::{apply, edit, edit_brdf};
+use crate::app::reduce::{edit, edit_brdf, set_param};
 use crate::app::state::State;
 use crate::app::state::fitting::settings::Settings;
 use crate::app::state::lesson::LessonAt;
@@ -93,14 +93,11 @@ fn perform_one(state: &mut State, set: Set) -> Vec<Task> {
             }
         }
         Set::Fresnel(fresnel) => edit_brdf(state, |brdf| brdf.fresnel = fresnel),
-        Set::Param(id, value) => {
-            let channel = None;
-            return apply(state, Msg::SetParam { id, channel, value });
-        }
+        Set::Param(id, value) => return set_param(state, id, None, value),
         Set::Angles(degrees, active) => edit(state, |scene| {
-            scene.views.get_mut::<LobeSettings>().theta_i =
-                degrees.iter().map(|theta| theta.to_radians()).collect();
-            scene.views.get_mut::<LobeSettings>().active = active;
+            let lobes = scene.views.get_mut::<LobeSettings>();
+            lobes.theta_i = degrees.iter().map(|theta| theta.to_radians()).collect();
+            lobes.active = active;
         }),
         Set::Scale(scale) => edit(state, |scene| {
             scene.views.get_mut::<LobeSettings>().scale = scale;

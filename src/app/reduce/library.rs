@@ -78,7 +78,7 @@ fn open(state: &mut State, path: &Path) -> Vec<Task> {
     })]
 }
 
-fn close(state: &mut State) {
+pub(crate) fn close(state: &mut State) {
     if let Some(cursor) = state.library.cursor.take()
         && state.position_of_file(&cursor).is_none()
     {

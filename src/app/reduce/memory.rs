@@ -1,10 +1,11 @@
 //! Which tables stay in memory: the least recently shown ones go where all take more than the limit.
 
 use crate::app::msg::Task;
+use crate::app::reduce::opening::start_load;
 use crate::app::state::State;
-use crate::app::state::job::{CancelFlag, Job, Purpose};
+use crate::app::state::job::Purpose;
 use crate::app::state::library::Pending;
-use crate::app::state::material::{Material, MaterialId, Presence};
+use crate::app::state::material::{MaterialId, Presence};
 use crate::app::state::memory::{Held, bytes, cell_bytes, to_evict};
 use crate::measured::{Grid, Table};
 
@@ -69,24 +70,10 @@ pub(crate) fn keep(state: &mut State) -> Vec<Task> {
 
 /// Reads the table of a material again; the number of the job, and the task.
 pub(crate) fn reload(state: &mut State, id: MaterialId) -> Option<(u64, Task)> {
-    let job = state.fresh_id();
-    let material: &mut Material = state.materials.get_mut(&id)?;
-    material.presence = Presence::Loading(job);
+    let material = state.materials.get(&id)?;
     let (label, origin) = (material.name.clone(), material.origin.clone());
-    let cancel = CancelFlag::default();
-    state.jobs.push(Job {
-        id: job,
-        label,
-        progress: 0.0,
-        cancel: cancel.clone(),
-        purpose: Purpose::Reload(id),
-    });
-    let task = Task::Load {
-        job,
-        origin,
-        fits: None,
-        cancel,
-    };
+    let (job, task) = start_load(state, label, origin, None, Purpose::Reload(id));
+    state.materials.get_mut(&id)?.presence = Presence::Loading(job);
     Some((job, task))
 }
 

@@ -13,7 +13,7 @@ pub mod session;
 pub mod show;
 
 use crate::app::msg::{Msg, Task};
-use crate::app::reduce::opening::{forget_unreachable, load};
+use crate::app::reduce::opening::load;
 use crate::app::state::material::Origin;
 use crate::app::state::notice::{Dialog, Level, Notice};
 use crate::app::state::subjects::Subjects;
@@ -63,34 +63,8 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
             }
         }
         Msg::Select(index) => return show::select(state, index),
-        Msg::Close(index) => {
-            if let Some(opened) = state.scene.opened.get(index) {
-                fit::forget(state, opened.id);
-            }
-            edit(state, |scene| {
-                if index < scene.opened.len() {
-                    scene.opened.remove(index);
-                    if scene.selected > index || scene.selected == scene.opened.len() {
-                        scene.selected = scene.selected.saturating_sub(1);
-                    }
-                }
-            });
-            forget_unreachable(state);
-        }
-        Msg::SetParam { id, channel, value } => {
-            edit_brdf(state, |brdf| {
-                let Some(row) = brdf.model.param(id) else {
-                    return;
-                };
-                let value = row.clamp(value);
-                let values = brdf.params.get_mut(id);
-                match channel {
-                    Some(channel) => values[channel] = value,
-                    None => values.fill(value),
-                }
-            });
-            return fit::refit(state);
-        }
+        Msg::Close(index) => opening::close(state, index),
+        Msg::SetParam { id, channel, value } => return set_param(state, id, channel, value),
         Msg::ResetParam(id) => {
             edit_brdf(state, |brdf| {
                 if let Some(row) = brdf.model.param(id) {
@@ -144,6 +118,27 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
         Msg::Settle => state.history.settle(&state.scene),
     }
     Vec::new()
+}
+
+/// Gives a channel of a parameter a value; all channels where `channel` is `None`.
+pub(crate) fn set_param(
+    state: &mut State,
+    id: ParamId,
+    channel: Option<usize>,
+    value: f64,
+) -> Vec<Task> {
+    edit_brdf(state, |brdf| {
+        let Some(row) = brdf.model.param(id) else {
+            return;
+        };
+        let value = row.clamp(value);
+        let values = brdf.params.get_mut(id);
+        match channel {
+            Some(channel) => values[channel] = value,
+            None => values.fill(value),
+        }
+    });
+    fit::refit(state)
 }
 
 fn make_grey(params: &mut Params, id: ParamId) {

@@ -129,7 +129,8 @@ fn add(state: &mut State, path: &Path, saved: &SavedMaterial, place: Place) -> M
     };
     state.materials.insert(id, material);
     for fit in &saved.fits {
-        state.keep_fit(
+        fit::keep_fit(
+            state,
             id,
             KeptFit {
                 seconds: fit.seconds,

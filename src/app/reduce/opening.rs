@@ -1,7 +1,7 @@
 //! Opening: a job that loads, and a place in the scene for what it brings.
 
 use crate::app::msg::{Loaded, Task};
-use crate::app::reduce::{edit, fit_files};
+use crate::app::reduce::{edit, fit, fit_files};
 use crate::app::state::job::{CancelFlag, Job, Purpose};
 use crate::app::state::material::{Material, MaterialId, Opened, Origin, Presence};
 use crate::app::state::{Scene, State};
@@ -9,6 +9,7 @@ use crate::files::fits::MaterialFits;
 use crate::files::folder::shown_name;
 use crate::measured::samples::SAMPLES;
 
+/// Loads a material that a person opens.
 pub(crate) fn load(state: &mut State, origin: Origin) -> Task {
     load_with(state, origin, None)
 }
@@ -19,25 +20,37 @@ pub(crate) fn load_with(
     origin: Origin,
     fits: Option<Box<MaterialFits>>,
 ) -> Task {
-    let job = state.fresh_id();
-    let cancel = CancelFlag::default();
     let label = match &origin {
         Origin::File(path) => shown_name(path),
         Origin::Sample(index) => SAMPLES[*index].name.to_string(),
     };
+    start_load(state, label, origin, fits, Purpose::Open).1
+}
+
+/// Adds a job that loads; its number, and the task.
+pub(crate) fn start_load(
+    state: &mut State,
+    label: String,
+    origin: Origin,
+    fits: Option<Box<MaterialFits>>,
+    purpose: Purpose,
+) -> (u64, Task) {
+    let job = state.fresh_id();
+    let cancel = CancelFlag::default();
     state.jobs.push(Job {
         id: job,
         label,
         progress: 0.0,
         cancel: cancel.clone(),
-        purpose: Purpose::Open,
+        purpose,
     });
-    Task::Load {
+    let task = Task::Load {
         job,
         origin,
         fits,
         cancel,
-    }
+    };
+    (job, task)
 }
 
 pub(crate) fn add_material(state: &mut State, origin: Origin, loaded: Loaded) {
@@ -102,6 +115,22 @@ pub(crate) fn add_material_at(
     state.history.settle(&state.scene);
     forget_unreachable(state);
     id
+}
+
+/// Closes an open material, by position; a fit of it is stopped and forgotten.
+pub(crate) fn close(state: &mut State, index: usize) {
+    if let Some(opened) = state.scene.opened.get(index) {
+        fit::forget(state, opened.id);
+    }
+    edit(state, |scene| {
+        if index < scene.opened.len() {
+            scene.opened.remove(index);
+            if scene.selected > index || scene.selected == scene.opened.len() {
+                scene.selected = scene.selected.saturating_sub(1);
+            }
+        }
+    });
+    forget_unreachable(state);
 }
 
 /// Drops the data that neither the scene nor any step of its history shows.

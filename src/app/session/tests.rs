@@ -3,6 +3,7 @@ mod broken;
 use crate::app::msg::Msg;
 use crate::app::msg::session::SessionMsg;
 use crate::app::reduce::apply;
+use crate::app::reduce::fit::keep_fit;
 use crate::app::session::file::SessionFile;
 use crate::app::session::places::{Found, find};
 use crate::app::state::State;
@@ -150,8 +151,8 @@ fn rich() -> State {
         brdf(1, Fresnel::Exact, 99.0),
     );
     let gold = state.scene.opened[0].id;
-    state.keep_fit(gold, kept(brdf(2, Fresnel::Exact, 20.0), 0.25));
-    state.keep_fit(gold, kept(brdf(0, Fresnel::None, 3.0), 0.5));
+    keep_fit(&mut state, gold, kept(brdf(2, Fresnel::Exact, 20.0), 0.25));
+    keep_fit(&mut state, gold, kept(brdf(0, Fresnel::None, 3.0), 0.5));
 
     let scene = &mut state.scene;
     scene.selected = 1;

@@ -3,40 +3,9 @@
 use crate::app::state::State;
 use crate::app::state::fitting::kept::KeptFit;
 use crate::app::state::fitting::run::Run;
-use crate::app::state::material::MaterialId;
 use crate::fit::Variant;
 
 impl State {
-    /// Keeps a fit of a material in place of the one of the same variant.
-    ///
-    /// One that was cancelled does not replace one that was made with the same setup and ran to its end.
-    /// Of a file, it is kept with the path too: the file may be opened again.
-    pub fn keep_fit(&mut self, material: MaterialId, mut fit: KeptFit) {
-        let Some(material) = self.materials.get_mut(&material) else {
-            return;
-        };
-        let variant = fit.variant();
-        match material
-            .fits
-            .iter_mut()
-            .find(|kept| kept.variant() == fit.variant())
-        {
-            Some(kept)
-                if fit.is_cancelled()
-                    && !kept.is_cancelled()
-                    && kept.setup.asks_the_same(&fit.setup) => {}
-            Some(kept) => {
-                fit.overlaid = kept.overlaid;
-                *kept = fit;
-            }
-            None => material.fits.push(fit),
-        }
-        if let (Some(path), Some(kept)) = (material.file(), material.fit(variant)) {
-            let record = kept.record(material.name.clone(), material.source.clone());
-            self.library.keep_fit(&path, record);
-        }
-    }
-
     /// The kept fit of the shown material for the shown model and Fresnel factor.
     pub fn current_fit(&self) -> Option<&KeptFit> {
         let (material, opened) = self.current()?;
