@@ -38,6 +38,7 @@ use std::time::Duration;
 
 pub use jobs::dialogs::Picker;
 pub use startup::run;
+
 /// Where the preferences are kept in the storage.
 const PREFS_KEY: &str = "grazing.prefs";
 
@@ -75,7 +76,7 @@ impl App {
     /// Sets the window up and starts to load what it begins with: the files, or else the first sample.
     ///
     /// # Errors
-    /// If there is no wgpu renderer, or no thread can be started.
+    /// If there is no wgpu renderer.
     pub fn new(
         cc: &eframe::CreationContext<'_>,
         options: Options,
@@ -84,8 +85,8 @@ impl App {
             .wgpu_render_state
             .as_ref()
             .ok_or("the window has no wgpu renderer")?;
-        crate::app::views::sphere::callback::install(render_state);
-        crate::app::views::lobe3d::callback::install(render_state);
+        views::sphere::callback::install(render_state);
+        views::lobe3d::callback::install(render_state);
         set_style(&cc.egui_ctx);
         prepare_threads();
         let (sender, inbox) = Sender::new(cc.egui_ctx.clone());
@@ -160,7 +161,7 @@ impl App {
                 self.state.session.crashed = crashed;
             }
             Err(error) => {
-                crate::app::reduce::notify(&mut self.state, Level::Error, error.to_string());
+                reduce::notify(&mut self.state, Level::Error, error.to_string());
             }
         }
     }
@@ -244,6 +245,12 @@ impl eframe::App for App {
             job.cancel.set();
         }
         if let Some(run) = &self.state.fit.run {
+            run.cancel.set();
+        }
+        if let Some(folder) = &self.state.library.folder {
+            folder.cancel.set();
+        }
+        if let Some(run) = &self.state.library.run {
             run.cancel.set();
         }
         self.tools.jobs.wait(PATIENCE);

@@ -5,6 +5,7 @@ use crate::app::jobs::fit::{Problems, fit, refit_amplitudes};
 use crate::app::jobs::load::load;
 use crate::app::jobs::{Jobs, dialogs, library, session};
 use crate::app::msg::figure::FigureTask;
+use crate::app::msg::work::SendMsg;
 use crate::app::msg::{Msg, Task};
 use crate::app::paper::figure::figure_of;
 use crate::app::paper::work;
@@ -48,8 +49,7 @@ pub fn start(task: Task, state: &State, tools: &Tools, ctx: &egui::Context) {
         Task::PickFiles => {
             let open = Arc::clone(&picker.open);
             let some = move || Some(open()).filter(|paths| !paths.is_empty());
-            let opened =
-                |paths: Vec<PathBuf>, send: &(dyn Fn(Msg) + Sync)| send(Msg::OpenFiles(paths));
+            let opened = |paths: Vec<PathBuf>, send: &SendMsg| send(Msg::OpenFiles(paths));
             ask(jobs, "asking for files", dialogs::NOT_OPENED, some, opened);
         }
         Task::Figure(task) => start_figure(task, state, tools),

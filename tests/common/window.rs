@@ -8,6 +8,7 @@ use egui_kittest::kittest::Queryable;
 use grazing::app::command::Command;
 use grazing::app::msg::Msg;
 use grazing::app::state::State;
+use grazing::app::state::view_settings::Settings;
 use grazing::app::{App, Options, Picker};
 use grazing::brdf::ParamId;
 use std::path::PathBuf;
@@ -70,6 +71,11 @@ pub fn settle_on<T>(window: &mut Window, mut look: impl FnMut(&Window) -> Option
         window.step();
         look(window).ok_or_else(|| format!("{:?}", window.state().state().notices))
     })
+}
+
+/// What a view is set to show.
+pub fn settings<T: Settings>(window: &Window) -> &T {
+    window.state().state().scene.views.get()
 }
 
 pub fn s(window: &Window) -> f64 {

@@ -293,6 +293,35 @@ fn arrows_between_the_rooms_of_app_point_one_way() {
     assert!(all.is_empty(), "\n{}", all.join("\n"));
 }
 
+/// Whether a reducer starts the whole reducer again instead of calling the function that it means.
+fn reduces_again(text: &str) -> bool {
+    let text = text
+        .split("#[cfg(test)]\nmod tests {")
+        .next()
+        .unwrap_or_default();
+    let mut imports = text.split("use crate::app::reduce::").skip(1);
+    imports.any(|rest| names(rest.split(';').next().unwrap_or_default(), "apply"))
+        || names(text, "crate::app::reduce::apply")
+}
+
+#[test]
+fn no_reducer_calls_the_whole_reducer_again() {
+    let mut files = Vec::new();
+    let reduce = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/app/reduce");
+    rust_files(&reduce, &mut files);
+    for path in files {
+        let text = fs::read_to_string(&path).expect("a source file");
+        assert!(!reduces_again(&text), "{}", path.display());
+    }
+    assert!(reduces_again("use crate::app::reduce::{apply, edit};"));
+    assert!(reduces_again(
+        "fn f() { crate::app::reduce::apply(state, msg); }"
+    ));
+    assert!(!reduces_again(
+        "use crate::app::reduce::{edit, fit};\nfn f() { fit::apply(); }"
+    ));
+}
+
 #[test]
 fn the_state_knows_no_egui() {
     let state = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/app/state");

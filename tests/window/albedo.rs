@@ -1,6 +1,6 @@
 //! The albedo in the real window.
 
-use crate::common::window::{Window, run, set_slider, settle, window};
+use crate::common::window::{Window, run, set_slider, settings, settle, window};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use grazing::app::command::Command;
@@ -82,21 +82,12 @@ fn the_probe_is_the_mirror_pair_at_the_angle() {
     let probe = window.state().state().probe().expect("a probe");
     assert!((35.0..60.0).contains(&probe.theta_i().to_degrees()));
     assert!((probe.theta_i() - probe.signed_theta_o()).abs() < 1e-9);
-    let mut view = window
-        .state()
-        .state()
-        .scene
-        .views
-        .get::<AlbedoSettings>()
-        .clone();
+    let mut view = settings::<AlbedoSettings>(&window).clone();
     view.spec.channel = Channel::B;
     let ctx = window.ctx.clone();
     window.state_mut().handle(&ctx, Msg::set_view(view.clone()));
     window.run_steps(3);
-    assert_eq!(
-        *window.state().state().scene.views.get::<AlbedoSettings>(),
-        view
-    );
+    assert_eq!(*settings::<AlbedoSettings>(&window), view);
 }
 
 #[test]

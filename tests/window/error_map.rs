@@ -1,6 +1,6 @@
 //! The error map in the real window.
 
-use crate::common::window::{Window, run, settle, window};
+use crate::common::window::{Window, run, settings, settle, window};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use grazing::app::command::Command;
@@ -85,13 +85,7 @@ fn a_bin_under_the_pointer_is_the_probe() {
     assert!((across / up - 1.0).abs() < 1e-3);
     window.get_by_role_and_label(Role::Button, "θh, θd").click();
     window.run_steps(3);
-    let plane = window
-        .state()
-        .state()
-        .scene
-        .views
-        .get::<ErrorMapSettings>()
-        .plane;
+    let plane = settings::<ErrorMapSettings>(&window).plane;
     assert_eq!(plane, Plane::HalfDiff);
     window.hover_at(rect.center());
     window.run_steps(2);

@@ -2,7 +2,7 @@
 
 use crate::common::folder::Folder;
 use crate::common::window::{
-    Window, nothing_picked, run, send, settle, settle_on, window, window_with,
+    Window, nothing_picked, run, send, settings, settle, settle_on, window, window_with,
 };
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
@@ -15,7 +15,11 @@ use grazing::app::paper::work::PreviewQuery;
 use grazing::app::state::State;
 use grazing::app::state::notice::Dialog;
 use grazing::app::state::views::{VIEWS, ViewId};
+use grazing::app::views::lobes::settings::LobeSettings;
+use grazing::app::views::sphere::settings::SphereSettings;
 use grazing::export::{FigureSpec, Format};
+use grazing::figure::page::ViewSpec;
+use grazing::geom::sight::Sight;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::{fs, process};
@@ -86,6 +90,37 @@ fn the_window_and_the_command_write_the_same_bytes() {
         draw_again(&spec, &again);
         assert!(fs::read(&again).expect("a figure") != first, "{format:?}");
     }
+}
+
+#[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
+fn a_zoomed_sphere_and_zoomed_lobes_stay_zoomed_on_paper() {
+    let mut window = window(vec![], vec![]);
+    let sphere = SphereSettings {
+        sight: Sight::default().zoomed(3.0, [0.4, 0.2]),
+        ..settings::<SphereSettings>(&window).clone()
+    };
+    let lobes = LobeSettings {
+        limits: Some([0.0, 0.25]),
+        ..settings::<LobeSettings>(&window).clone()
+    };
+    send(&mut window, Msg::set_view(sphere.clone()));
+    send(&mut window, Msg::set_view(lobes.clone()));
+    let state = window.state().state();
+    let views = [ViewId::Sphere, ViewId::Lobes];
+    let figure = figure_of(state, &views, 2, &state.prefs.figure.style).expect("a figure");
+    // As its file has it.
+    let figure = FigureSpec::from_json(&figure.spec.to_json()).expect("is read");
+    let views: Vec<&ViewSpec> = figure.rows[0]
+        .panels
+        .iter()
+        .map(|panel| &panel.view)
+        .collect();
+    let [ViewSpec::Sphere(on_paper), ViewSpec::Lobes(lobes_on_paper)] = views[..] else {
+        panic!("{views:?}")
+    };
+    assert_eq!(on_paper.sight, sphere.sight);
+    assert_eq!(lobes_on_paper.limits, lobes.limits);
 }
 
 #[test]

@@ -2,7 +2,9 @@
 
 use crate::common::folder::Folder;
 use crate::common::records::write_merl;
-use crate::common::window::{Window, click, drag, press, s, set_slider, settle, value, window};
+use crate::common::window::{
+    Window, click, drag, press, s, set_slider, settings, settle, value, window,
+};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -192,16 +194,7 @@ fn the_palette_finds_and_runs_commands() {
     window.run_steps(3);
     press(&mut window, Modifiers::NONE, Key::Enter);
     assert_eq!(window.state().state().dialog, None);
-    assert_eq!(
-        window
-            .state()
-            .state()
-            .scene
-            .views
-            .get::<SphereSettings>()
-            .show,
-        Show::SideBySide
-    );
+    assert_eq!(settings::<SphereSettings>(&window).show, Show::SideBySide);
 }
 
 #[test]
@@ -209,17 +202,7 @@ fn the_palette_finds_and_runs_commands() {
 fn dragging_on_the_sphere_moves_its_light_and_hovering_reads_it() {
     let mut window = window(vec![], vec![]);
     let rect = window.get_by_role_and_label(Role::Image, "Sphere").rect();
-    let lights = |window: &Window| {
-        window
-            .state()
-            .state()
-            .scene
-            .views
-            .get::<SphereSettings>()
-            .view
-            .lights
-            .clone()
-    };
+    let lights = |window: &Window| settings::<SphereSettings>(window).view.lights.clone();
     let before = lights(&window);
     let at = |dx: f32, dy: f32| rect.center() + egui::vec2(dx, dy);
     window.hover_at(at(60.0, -50.0));
@@ -239,14 +222,7 @@ fn dragging_on_the_sphere_moves_its_light_and_hovering_reads_it() {
 #[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn dragging_in_the_lobes_turns_the_light() {
     let mut window = window(vec![], vec![]);
-    let before = window
-        .state()
-        .state()
-        .scene
-        .views
-        .get::<LobeSettings>()
-        .theta_i
-        .clone();
+    let before = settings::<LobeSettings>(&window).theta_i.clone();
     window.get_by_label("theta_i 1");
     let rect = window
         .get_by_role_and_label(Role::Image, "Polar lobes")
@@ -260,13 +236,7 @@ fn dragging_in_the_lobes_turns_the_light() {
         grazing::figure::lobes::LobePlot::new(&spec, &[], [rect.width(), rect.height()]).frame;
     let point = |theta: f64| rect.min + egui::Vec2::from(frame.at(theta, 1.0));
     drag(&mut window, &[point(-before[1]), point(-0.5)]);
-    let after = &window
-        .state()
-        .state()
-        .scene
-        .views
-        .get::<LobeSettings>()
-        .theta_i;
+    let after = &settings::<LobeSettings>(&window).theta_i;
     assert!(
         (after[1] - 0.5).abs() < 0.01 && after[0] == before[0],
         "{after:?}"

@@ -1,6 +1,6 @@
 //! The image slice in the real window.
 
-use crate::common::window::{Window, drag, run, wheel, window};
+use crate::common::window::{Window, drag, run, settings, wheel, window};
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use grazing::app::command::Command;
@@ -62,13 +62,7 @@ fn a_cell_under_the_pointer_is_the_probe() {
     window.run_steps(2);
     let probe = window.state().state().probe();
     assert!(probe.is_some(), "at φd = 90° all is above");
-    let mut view = window
-        .state()
-        .state()
-        .scene
-        .views
-        .get::<ImageSettings>()
-        .clone();
+    let mut view = settings::<ImageSettings>(&window).clone();
     view.phi_d = 0.0;
     let ctx = window.ctx.clone();
     window.state_mut().handle(&ctx, Msg::set_view(view));
@@ -86,25 +80,10 @@ fn a_click_pins_and_a_probe_from_elsewhere_is_marked() {
     let pinned = window.state().state().pinned.expect("pinned");
     let angles = pinned.angles().expect("angles");
     assert!((angles.theta_d.to_degrees() - 40.0).abs() < 0.05);
-    let slices = &window
-        .state()
-        .state()
-        .scene
-        .views
-        .get::<SliceSettings>()
-        .spec;
+    let slices = &settings::<SliceSettings>(&window).spec;
     assert!((slices.theta_h.to_degrees() - 30.0).abs() < 0.05);
     assert!((slices.theta_d.to_degrees() - 40.0).abs() < 0.05);
-    assert_eq!(
-        slices.phi_d,
-        window
-            .state()
-            .state()
-            .scene
-            .views
-            .get::<ImageSettings>()
-            .phi_d
-    );
+    assert_eq!(slices.phi_d, settings::<ImageSettings>(&window).phi_d);
     let ctx = window.ctx.clone();
     window.state_mut().handle(&ctx, Msg::Pin(None));
     window.hover_at(egui::pos2(3.0, 3.0));
@@ -140,39 +119,15 @@ fn settings_zoom_and_reset() {
     run(&mut window, Command::ToggleTile(ViewId::Sphere));
     window.get_by_role_and_label(Role::Button, "Ratio").click();
     window.run_steps(3);
-    assert_eq!(
-        window
-            .state()
-            .state()
-            .scene
-            .views
-            .get::<ImageSettings>()
-            .shown,
-        Shown::Ratio
-    );
+    assert_eq!(settings::<ImageSettings>(&window).shown, Shown::Ratio);
     run(&mut window, Command::Undo);
-    assert_eq!(
-        window
-            .state()
-            .state()
-            .scene
-            .views
-            .get::<ImageSettings>()
-            .shown,
-        Shown::Measured
-    );
+    assert_eq!(settings::<ImageSettings>(&window).shown, Shown::Measured);
     let at = [20.0, 50.0];
     let point = on_screen(&window, at);
     window.hover_at(point);
     window.step();
     wheel(&mut window, 200.0);
-    let view = window
-        .state()
-        .state()
-        .scene
-        .views
-        .get::<ImageSettings>()
-        .view;
+    let view = settings::<ImageSettings>(&window).view;
     assert!(view.x.1 - view.x.0 < 0.8, "{view:?}");
     // What was under the pointer still is.
     let now = on_screen(&window, at);

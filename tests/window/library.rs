@@ -2,7 +2,7 @@
 
 use crate::common::folder::Folder;
 use crate::common::records::{combined, only_named, record, write_fits, write_merl};
-use crate::common::window::{Window, click, drag, press, run, set_slider, settle, wheel};
+use crate::common::window::{Window, click, drag, press, run, set_slider, settings, settle, wheel};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -483,7 +483,7 @@ fn fitted_materials_are_dots_that_show_them() {
     };
     let dots = fits.each_ref().map(dot);
     let place = |window: &Window| {
-        let view = window.state().state().scene.views.get::<ScatterSettings>();
+        let view = settings::<ScatterSettings>(window);
         let plot = ScatterPlot::new(&dots, view.window, [rect.width(), rect.height()]);
         rect.min + egui::Vec2::from(plot.places[1].expect("a place"))
     };
@@ -492,7 +492,7 @@ fn fitted_materials_are_dots_that_show_them() {
     window.hover_at(at);
     window.run_steps(2);
     wheel(&mut window, 120.0);
-    let view = window.state().state().scene.views.get::<ScatterSettings>();
+    let view = settings::<ScatterSettings>(&window);
     let [low, high] = view.window.expect("a part");
     assert!(low > 10.0 && high < 1e4, "{low} {high}");
     assert!((place(&window) - at).length() < 0.5);

@@ -1,6 +1,6 @@
 //! The lobes in space in the real window.
 
-use crate::common::window::{Window, drag, run, send, settle, window};
+use crate::common::window::{Window, drag, run, send, settings, settle, window};
 use egui::Rect;
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
@@ -33,7 +33,7 @@ fn rect(window: &Window) -> Rect {
 }
 
 fn view(window: &Window) -> Lobe3dSettings {
-    *window.state().state().scene.views.get::<Lobe3dSettings>()
+    *settings::<Lobe3dSettings>(window)
 }
 
 /// The picture of the tile.

@@ -1,6 +1,6 @@
 //! The window as pictures. `UPDATE_SNAPSHOTS=1 cargo test --test window look` accepts what is drawn now.
 
-use crate::common::window::{Window, nothing_picked, run, settle};
+use crate::common::window::{Window, nothing_picked, run, settings, settle};
 use egui_kittest::{Harness, SnapshotOptions};
 use grazing::app::command::Command;
 use grazing::app::msg::Msg;
@@ -112,13 +112,7 @@ fn two_spheres_and_logarithmic_lobes() {
 fn a_turned_light_is_noticed() {
     let mut window = window(Theme::Dark);
     let before = window.render().expect("a picture");
-    let mut sphere = window
-        .state()
-        .state()
-        .scene
-        .views
-        .get::<SphereSettings>()
-        .clone();
+    let mut sphere = settings::<SphereSettings>(&window).clone();
     let light = &mut sphere.view.lights[0].direction;
     *light = (*light + 0.05 * glam::DVec3::X).normalize();
     let ctx = window.ctx.clone();

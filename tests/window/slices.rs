@@ -1,6 +1,6 @@
 //! The slices in the real window.
 
-use crate::common::window::{Window, click, drag, press, run, wheel, window};
+use crate::common::window::{Window, click, drag, press, run, settings, wheel, window};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
@@ -29,13 +29,7 @@ fn has_plot(window: &Window) -> bool {
 }
 
 fn view(window: &Window) -> SliceSettings {
-    window
-        .state()
-        .state()
-        .scene
-        .views
-        .get::<SliceSettings>()
-        .clone()
+    settings::<SliceSettings>(window).clone()
 }
 
 fn set(window: &mut Window, change: impl Fn(&mut SliceSettings)) {

@@ -1,6 +1,6 @@
 //! The tiles of the real window: the probe they share, their legends, their places.
 
-use crate::common::window::{Window, drag, press, run, wheel, window};
+use crate::common::window::{Window, drag, press, run, settings, wheel, window};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
@@ -51,15 +51,7 @@ fn the_wheel_enlarges_the_sphere_around_the_pointer() {
     let at = rect.center() + egui::vec2(20.0, -30.0);
     window.hover_at(at);
     window.run_steps(2);
-    let sight = |window: &Window| {
-        window
-            .state()
-            .state()
-            .scene
-            .views
-            .get::<SphereSettings>()
-            .sight
-    };
+    let sight = |window: &Window| settings::<SphereSettings>(window).sight;
     let probe = |window: &Window| window.state().state().probe().expect("a probe");
     let before = probe(&window);
     wheel(&mut window, 240.0);
@@ -152,13 +144,7 @@ fn the_wheel_zooms_the_lobes_and_a_double_click_puts_them_back() {
             modifiers: Modifiers::NONE,
         });
         window.run_steps(12);
-        let limits = window
-            .state()
-            .state()
-            .scene
-            .views
-            .get::<LobeSettings>()
-            .limits;
+        let limits = settings::<LobeSettings>(window).limits;
         limits.expect("limits")[1]
     };
     let near = wheel(&mut window, 120.0);
@@ -167,12 +153,7 @@ fn the_wheel_zooms_the_lobes_and_a_double_click_puts_them_back() {
     assert!((far / near / 3f64.exp() - 1.0).abs() < 0.05, "{near} {far}");
     run(&mut window, Command::Undo);
     assert_eq!(
-        window
-            .state()
-            .state()
-            .scene
-            .views
-            .get::<grazing::figure::lobes::LobeSpec>()
+        settings::<grazing::figure::lobes::LobeSpec>(&window)
             .limits
             .map(|ends| ends[1]),
         Some(near)

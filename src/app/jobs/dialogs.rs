@@ -2,18 +2,17 @@
 
 use crate::app::jobs::Jobs;
 use crate::app::msg::Msg;
-use crate::app::msg::work::Work;
+use crate::app::msg::work::{SendMsg, Work};
 use crate::app::state::notice::Level;
 use crate::files;
 use crate::files::session::ENDING;
-use std::io;
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// A dialog that is gone sooner was never there: nobody cancels so fast, and the library does not tell the two apart.
-pub(crate) const NO_DIALOG: Duration = Duration::from_millis(250);
+const NO_DIALOG: Duration = Duration::from_millis(250);
 
 /// Said where a dialog for opening did not open.
 pub const NOT_OPENED: &str = "No file dialog answered; install one: sudo apt-get install -y zenity. Open path… and dropping files work without it.";
@@ -100,7 +99,7 @@ pub fn ask<T: Send + 'static>(
     doing: &str,
     no_answer: &'static str,
     dialog: impl FnOnce() -> Option<T> + Send + 'static,
-    answered: impl FnOnce(T, &(dyn Fn(Msg) + Sync)) + Send + 'static,
+    answered: impl FnOnce(T, &SendMsg) + Send + 'static,
 ) {
     jobs.start(Work::new(doing, move |send| {
         let asked = Instant::now();
@@ -136,7 +135,7 @@ pub fn ask_and_do(
     work: impl FnOnce(PathBuf) -> Result<PathBuf, String> + Send + 'static,
 ) {
     let (save, doing) = (Arc::clone(save), format!("saving {name}"));
-    let answered = move |path, send: &(dyn Fn(Msg) + Sync)| send(saved_notice(work(path)));
+    let answered = move |path, send: &SendMsg| send(saved_notice(work(path)));
     ask(jobs, &doing, NOT_SAVED, move || save(&name), answered);
 }
 

@@ -2,7 +2,7 @@
 
 use crate::app::msg::Msg;
 use crate::app::msg::fit::{FitMsg, FitTask, RefitAmplitudes, Timed};
-use crate::app::msg::work::Work;
+use crate::app::msg::work::{SendMsg, Work};
 use crate::app::state::fitting::run::FitUpdates;
 use crate::app::state::fitting::settings::Setup;
 use crate::fit;
@@ -55,11 +55,7 @@ pub fn fit(task: FitTask, problems: Arc<Problems>) -> Work {
     .or_tell(move |text| done(Err(text)))
 }
 
-fn run(
-    task: &FitTask,
-    problems: &Problems,
-    send: &(dyn Fn(Msg) + Sync),
-) -> Result<Vec<Timed>, String> {
+fn run(task: &FitTask, problems: &Problems, send: &SendMsg) -> Result<Vec<Timed>, String> {
     let problem = problems.get(&task.table, &task.setup);
     let problem = problem.map_err(|error| error.to_string())?;
     let mut clock = Clock::start(task.variants.len());
@@ -89,13 +85,13 @@ fn run(
 
 /// Tells the window how a fit goes, about once a frame.
 struct Reporter<'a> {
-    send: &'a (dyn Fn(Msg) + Sync),
+    send: &'a SendMsg<'a>,
     last: Instant,
     updates: FitUpdates,
 }
 
 impl<'a> Reporter<'a> {
-    fn new(job: u64, send: &'a (dyn Fn(Msg) + Sync)) -> Self {
+    fn new(job: u64, send: &'a SendMsg<'a>) -> Self {
         let updates = Vec::new();
         Self {
             send,
@@ -123,7 +119,7 @@ impl<'a> Reporter<'a> {
 
 /// Finds the best ρ_d and k_s of a model; of several that are asked for, the newest.
 pub fn refit_amplitudes(task: RefitAmplitudes, problems: Arc<Problems>) -> Work {
-    let run = move |send: &(dyn Fn(Msg) + Sync)| {
+    let run = move |send: &SendMsg| {
         let problem = problems.get(&task.table, &task.setup);
         send(Msg::Fit(FitMsg::AmplitudesRefit {
             number: task.number,

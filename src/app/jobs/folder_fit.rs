@@ -3,7 +3,7 @@
 use crate::app::jobs::Jobs;
 use crate::app::msg::Msg;
 use crate::app::msg::library::{FolderFit, FolderFitUpdate, LibraryMsg};
-use crate::app::msg::work::Work;
+use crate::app::msg::work::{SendMsg, Work};
 use crate::app::state::fitting::settings::Setup;
 use crate::files::FileError;
 use crate::files::fits::FitRecord;
@@ -24,7 +24,7 @@ pub fn start(folder_fit: FolderFit, jobs: &Jobs) {
         jobs.start(fit_file(Arc::clone(&folder_fit), path));
     }
     let number = folder_fit.number;
-    let end = move |send: &(dyn Fn(Msg) + Sync)| send(update(number, FolderFitUpdate::End));
+    let end = move |send: &SendMsg| send(update(number, FolderFitUpdate::End));
     jobs.start(Work::new("ending the fit of the folder", end).in_turn(LANE));
 }
 
@@ -67,7 +67,7 @@ impl FolderFit {
         }
     }
 
-    fn fit(&self, file: &Path, send: &(dyn Fn(Msg) + Sync)) -> Result<Vec<FitRecord>, String> {
+    fn fit(&self, file: &Path, send: &SendMsg) -> Result<Vec<FitRecord>, String> {
         let read = files::open_measured(file, &mut |_| self.go_on());
         let (table, source) = read.map_err(|error| error.to_string())?;
         let Setup {

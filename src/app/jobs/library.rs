@@ -5,6 +5,7 @@ use crate::app::jobs::scan::Scanner;
 use crate::app::jobs::{Jobs, folder_fit};
 use crate::app::msg::Msg;
 use crate::app::msg::library::{LibraryMsg, LibraryTask};
+use crate::app::msg::work::SendMsg;
 use crate::files::fits::write_json;
 use std::sync::Arc;
 
@@ -26,8 +27,7 @@ pub fn start(task: LibraryTask, jobs: &Jobs, picker: &Picker) {
         LibraryTask::Fit(fit) => folder_fit::start(*fit, jobs),
         LibraryTask::Pick => {
             let folder = Arc::clone(&picker.folder);
-            let open =
-                |path, send: &(dyn Fn(Msg) + Sync)| send(Msg::Library(LibraryMsg::Open(path)));
+            let open = |path, send: &SendMsg| send(Msg::Library(LibraryMsg::Open(path)));
             ask(
                 jobs,
                 "asking for a folder",

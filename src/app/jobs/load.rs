@@ -2,7 +2,7 @@
 
 use crate::app::msg::library::LibraryMsg;
 use crate::app::msg::session::SessionMsg;
-use crate::app::msg::work::Work;
+use crate::app::msg::work::{SendMsg, Work};
 use crate::app::msg::{Loaded, Msg};
 use crate::app::session;
 use crate::app::session::places::find;
@@ -39,7 +39,7 @@ fn read(
     origin: Origin,
     fits: Option<Box<MaterialFits>>,
     cancel: &CancelFlag,
-    send: &(dyn Fn(Msg) + Sync),
+    send: &SendMsg,
 ) {
     let mut progress = |fraction: f32| {
         send(Msg::Progress {

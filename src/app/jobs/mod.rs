@@ -189,6 +189,7 @@ fn reason(payload: &(dyn Any + Send)) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::app::msg::work::SendMsg;
     use std::sync::mpsc::{Receiver, channel};
 
     fn jobs() -> (Jobs, Receiver<Msg>) {
@@ -237,7 +238,7 @@ mod tests {
             let mut waits = Some(waits);
             for k in 0..4 {
                 let gate = waits.take();
-                let work = Work::new("counting", move |send: &(dyn Fn(Msg) + Sync)| {
+                let work = Work::new("counting", move |send: &SendMsg| {
                     if let Some(gate) = gate {
                         let _ = gate.recv();
                     }

@@ -3,7 +3,7 @@
 use crate::app::jobs::Jobs;
 use crate::app::msg::Msg;
 use crate::app::msg::library::LibraryMsg;
-use crate::app::msg::work::Work;
+use crate::app::msg::work::{SendMsg, Work};
 use crate::app::state::job::{CancelFlag, Hold};
 use crate::app::state::library::{Examined, Thumbnail};
 use crate::figure::Source;
@@ -59,7 +59,7 @@ impl Scanner {
                 .start(self.clone().examine_in_turn(index, files[index].clone()));
         }
         let scanner = self.clone();
-        let end = move |_: &(dyn Fn(Msg) + Sync)| scanner.send(LibraryMsg::Scanned { number });
+        let end = move |_: &SendMsg| scanner.send(LibraryMsg::Scanned { number });
         self.jobs
             .start(Work::new("ending the scan", end).in_turn(LANE));
     }

@@ -4,7 +4,7 @@ use crate::app::jobs::Jobs;
 use crate::app::jobs::dialogs::{NOT_OPENED, NOT_SAVED, Picker, ask, saved_notice};
 use crate::app::msg::Msg;
 use crate::app::msg::session::{SessionMsg, SessionTask};
-use crate::app::msg::work::Work;
+use crate::app::msg::work::{SendMsg, Work};
 use crate::app::session::file::SessionFile;
 use crate::files;
 use crate::files::FileError;
@@ -22,8 +22,7 @@ pub fn start(task: SessionTask, jobs: &Jobs, picker: &Picker) {
             to: Some(path),
             ..
         } => {
-            let save =
-                move |send: &(dyn Fn(Msg) + Sync)| save(number, *session, &path, false, send);
+            let save = move |send: &SendMsg| save(number, *session, &path, false, send);
             jobs.start(Work::new("saving the session", save));
         }
         SessionTask::Save {
@@ -33,7 +32,7 @@ pub fn start(task: SessionTask, jobs: &Jobs, picker: &Picker) {
             name,
         } => {
             let dialog = Arc::clone(&picker.save);
-            let chosen = move |path: PathBuf, send: &(dyn Fn(Msg) + Sync)| {
+            let chosen = move |path: PathBuf, send: &SendMsg| {
                 save(number, *session, &path, true, send);
             };
             ask(
@@ -46,7 +45,7 @@ pub fn start(task: SessionTask, jobs: &Jobs, picker: &Picker) {
         }
         SessionTask::Locate(wanted) => {
             let open = Arc::clone(&picker.open);
-            let found = move |path: PathBuf, send: &(dyn Fn(Msg) + Sync)| {
+            let found = move |path: PathBuf, send: &SendMsg| {
                 send(Msg::Session(SessionMsg::Located(beside(&path, wanted))));
             };
             let first = move || open().into_iter().next();
@@ -61,7 +60,7 @@ pub fn start(task: SessionTask, jobs: &Jobs, picker: &Picker) {
 }
 
 /// Writes a session and says so; `asked` where a dialog was asked for the path.
-fn save(number: u64, session: SessionFile, path: &Path, asked: bool, send: &(dyn Fn(Msg) + Sync)) {
+fn save(number: u64, session: SessionFile, path: &Path, asked: bool, send: &SendMsg) {
     let saved = write(session, path, asked);
     if let Ok(path) = &saved {
         let path = path.clone();

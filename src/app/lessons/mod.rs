@@ -2,6 +2,7 @@
 //!
 //! Lessons are data ([`LESSONS`]). A step is performed on top of the steps before it, so that going back shows what was
 //! there whatever the learner has dragged since. All of it are ordinary edits: undo takes them back too.
+
 pub mod rows;
 
 use crate::app::lessons::rows::LESSONS;

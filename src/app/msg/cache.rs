@@ -1,7 +1,7 @@
 //! Messages about results that views show and cannot compute within a frame ([`crate::app::state::cache`]).
 
 use crate::app::msg::Msg;
-use crate::app::msg::work::Work;
+use crate::app::msg::work::{SendMsg, Work};
 use crate::app::state::cache::{Cache, Caches, Query, Start, Update};
 use std::fmt;
 use std::marker::PhantomData;
@@ -55,33 +55,33 @@ struct Ended<Q: Query> {
 
 impl<Q: Query> CacheMsg for Request<Q> {
     fn apply(self: Box<Self>, caches: &mut Caches) -> Option<Work> {
-        caches.get_mut()?.request(self.0).map(work)
+        caches.get_mut().request(self.0).map(work)
     }
 }
 
 impl<Q: Query> CacheMsg for RequestAgain<Q> {
     fn apply(self: Box<Self>, caches: &mut Caches) -> Option<Work> {
-        caches.get_mut()?.request_again(self.0).map(work)
+        caches.get_mut().request_again(self.0).map(work)
     }
 }
 
 impl<Q: Query> CacheMsg for Stop<Q> {
     fn apply(self: Box<Self>, caches: &mut Caches) -> Option<Work> {
-        caches.get_mut::<Q>()?.stop();
+        caches.get_mut::<Q>().stop();
         None
     }
 }
 
 impl<Q: Query> CacheMsg for Updated<Q> {
     fn apply(self: Box<Self>, caches: &mut Caches) -> Option<Work> {
-        caches.get_mut::<Q>()?.update(self.job, self.update);
+        caches.get_mut::<Q>().update(self.job, self.update);
         None
     }
 }
 
 impl<Q: Query> CacheMsg for Ended<Q> {
     fn apply(self: Box<Self>, caches: &mut Caches) -> Option<Work> {
-        let cache: &mut Cache<Q> = caches.get_mut()?;
+        let cache: &mut Cache<Q> = caches.get_mut();
         cache.end(self.job, self.output).map(work)
     }
 }
@@ -93,7 +93,7 @@ fn ended<Q: Query>(job: u64, output: Option<Q::Output>) -> Msg {
 fn work<Q: Query>(start: Start<Q>) -> Work {
     let Start { job, query, cancel } = start;
     let failed = ended::<Q>(job, None);
-    let run = move |send: &(dyn Fn(Msg) + Sync)| {
+    let run = move |send: &SendMsg| {
         let output = query.run(&mut |update| {
             if cancel.is_set() {
                 return ControlFlow::Break(());

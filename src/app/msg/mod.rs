@@ -1,4 +1,5 @@
 //! Messages: what happened; and tasks: what is to be done outside the state.
+
 pub mod cache;
 pub mod command;
 pub mod figure;
@@ -68,7 +69,7 @@ pub enum Msg {
     ResetParam(ParamId),
     /// Let the channels of a colour move as one, or apart.
     SetGrey(ParamId, bool),
-    /// A view wishes for a result, or a job says something about one.
+    /// A view requests a result, or a job reports on one.
     Cache(Box<dyn CacheMsg>),
     /// Go to a step of a lesson.
     Lesson { lesson: usize, step: usize },
@@ -183,7 +184,7 @@ pub enum Task {
     Figure(FigureTask),
     /// Write a session, or ask where something is.
     Session(SessionTask),
-    /// Make what a view wishes for.
+    /// Start a job that computes the result of a view.
     Start(Work),
     /// Ask for files to open.
     PickFiles,

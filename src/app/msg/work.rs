@@ -3,8 +3,11 @@
 use crate::app::msg::Msg;
 use std::fmt;
 
-/// Does the work; what it is handed sends messages to the window.
-pub type Run = Box<dyn FnOnce(&(dyn Fn(Msg) + Sync)) + Send>;
+/// Sends messages to the window.
+pub type SendMsg<'a> = dyn Fn(Msg) + Sync + 'a;
+
+/// Does the work.
+pub type Run = Box<dyn FnOnce(&SendMsg) + Send>;
 
 /// Work for a thread in the background, and what becomes of the state where it panics.
 pub struct Work {
@@ -12,7 +15,7 @@ pub struct Work {
     pub doing: String,
     /// Whether it waits for others.
     pub order: Order,
-    /// Does it. What it is handed sends messages to the window.
+    /// Does it.
     pub run: Run,
     /// What becomes of the state where it panics.
     pub on_panic: OnPanic,
@@ -47,10 +50,7 @@ impl fmt::Debug for Work {
 
 impl Work {
     /// Work that waits for nothing and leaves nothing to be mended where it panics.
-    pub fn new(
-        doing: impl Into<String>,
-        run: impl FnOnce(&(dyn Fn(Msg) + Sync)) + Send + 'static,
-    ) -> Self {
+    pub fn new(doing: impl Into<String>, run: impl FnOnce(&SendMsg) + Send + 'static) -> Self {
         Self {
             doing: doing.into(),
             order: Order::AtOnce,

@@ -1,4 +1,5 @@
 //! The one place where the state changes: `apply(state, message) → tasks`.
+
 pub mod command;
 pub mod figure;
 pub mod fit;

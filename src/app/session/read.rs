@@ -2,7 +2,7 @@
 
 use crate::app::session::differences::differences;
 use crate::app::session::file::{SavedBrdf, SavedFit, SavedMaterial, SessionFile, VERSION};
-use crate::app::session::sane;
+use crate::app::session::sanitize;
 use crate::app::state::Scene;
 use crate::app::state::layout::Tiles;
 use crate::app::state::settings_map::SettingsMap;
@@ -48,7 +48,7 @@ pub fn read(text: &str) -> Result<Read, String> {
         .map(|(index, value)| reader.material(value, index))
         .collect();
     let session = reader.session(&given, materials);
-    let kept = sane::session(session);
+    let kept = sanitize::session(session);
     let written = serde_json::to_value(&kept).unwrap_or_default();
     reader.report(&given, &written);
     Ok((kept, reader.remarks))
@@ -152,6 +152,7 @@ impl Reader {
         for about in VIEWS {
             let key = about.session_key();
             let value = given.get("views").and_then(|views| views.get(&key));
+            let value = value.filter(|value| !value.is_null());
             let (Some(kind), Some(value)) = (about.settings, value) else {
                 continue;
             };

@@ -219,10 +219,12 @@ impl Caches {
     }
 
     /// The cache of a kind of query, made where there is none yet.
-    pub fn get_mut<Q: Query>(&mut self) -> Option<&mut Cache<Q>> {
+    pub fn get_mut<Q: Query>(&mut self) -> &mut Cache<Q> {
         let cache = self.0.entry(TypeId::of::<Q>());
         let cache: &mut dyn Any = &mut **cache.or_insert_with(|| Box::new(Cache::<Q>::default()));
-        cache.downcast_mut()
+        cache
+            .downcast_mut()
+            .expect("a cache is kept under the type of its query")
     }
 
     /// See [`Cache::shown`].
@@ -332,7 +334,7 @@ mod tests {
     fn each_kind_of_query_has_its_own_cache() {
         let mut caches = Caches::default();
         assert!(!caches.has(&Half::<true>(4.0)));
-        let cache = caches.get_mut::<Half<true>>().expect("a cache");
+        let cache = caches.get_mut::<Half<true>>();
         let start = cache.request(Half(4.0)).expect("a start");
         end(cache, &start);
         assert_eq!(caches.shown(&Half::<true>(4.0)), Some((&2.0, true)));

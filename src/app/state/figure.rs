@@ -5,7 +5,7 @@ use crate::export::Format;
 use crate::figure::page::Style;
 use serde::{Deserialize, Serialize};
 
-/// What a figure is set to, kept between runs.
+/// Looks and format of figures, kept between runs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct FigurePrefs {

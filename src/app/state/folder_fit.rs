@@ -30,6 +30,7 @@ pub(crate) fn model(state: &State) -> Brdf {
     )
 }
 
+/// The measured files of the folder.
 pub(crate) fn measured(state: &State) -> Vec<PathBuf> {
     let files = state.library.folder.iter().flat_map(|folder| &folder.files);
     files

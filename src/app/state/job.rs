@@ -26,7 +26,7 @@ pub enum Purpose {
     /// A new material.
     #[default]
     Open,
-    /// A material that a person steps through, if it is still wished.
+    /// A material that a person steps through, if it is still asked for.
     Preview,
     /// The data of this material, which were let go.
     Reload(MaterialId),

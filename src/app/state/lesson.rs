@@ -3,7 +3,7 @@
 /// Where a learner is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LessonAt {
-    /// Position in [`LESSONS`].
+    /// Position in [`crate::app::lessons::rows::LESSONS`].
     pub lesson: usize,
     /// Position in its steps.
     pub step: usize,

@@ -35,7 +35,7 @@ pub struct Material {
     pub table: Arc<Table>,
     /// Whether `table` is the data.
     pub presence: Presence,
-    /// When it was shown last, by [`Library::clock`].
+    /// When it was shown last, by [`crate::app::state::library::Library::clock`].
     pub last_shown: u64,
     /// The first guess of a model over it, made when it was loaded.
     pub guess: Brdf,

@@ -1,4 +1,5 @@
 //! Everything the window shows, as plain data. It changes in [`crate::app::reduce::apply`] only.
+
 pub mod cache;
 pub mod figure;
 pub mod fits;
@@ -10,15 +11,12 @@ pub mod layout;
 pub mod layout_check;
 pub mod lesson;
 pub mod library;
-pub mod library_queries;
-pub mod loading;
 pub mod material;
-pub mod meant_view;
 pub mod memory;
-pub mod missing;
 pub mod notice;
 pub mod prefs;
 pub mod probe;
+pub mod queries;
 pub mod sanitize;
 pub mod session;
 pub mod settings_map;

@@ -19,7 +19,7 @@ impl Default for SettingsMap {
     }
 }
 
-/// A row of the table of views names other settings than the view does: a test below looks at all rows.
+/// What would be wrong where a view has no settings; a test below looks at all rows.
 const NO_SETTINGS: &str = "every view with settings has a row that makes them";
 
 impl SettingsMap {

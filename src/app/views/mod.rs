@@ -1,4 +1,4 @@
-//! What the tiles are set to show, as plain data: a file per view, a field of the scene each.
+//! The views: a folder each, with its settings, its ui and what it computes in the background; [`rows`] is their table.
 
 pub mod albedo;
 pub mod error_map;

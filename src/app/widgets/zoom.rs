@@ -56,6 +56,27 @@ pub fn gesture(ui: &egui::Ui, response: &egui::Response, frame: &Frame) -> Optio
     }
 }
 
+impl Zoom {
+    /// Moves the part in sight of a plot whose x is an angle in radians within `range` and whose y is `axis`.
+    pub fn apply(
+        self,
+        axis: &Axis,
+        range: [f64; 2],
+        window: &mut Option<[f64; 2]>,
+        limits: &mut Option<[f64; 2]>,
+    ) {
+        match self {
+            Self::X(ends) => *window = held(ends.map(f64::to_radians), range),
+            Self::Y(ends) => {
+                if let Some(ends) = not_negative(axis, ends) {
+                    *limits = Some(ends);
+                }
+            }
+            Self::Reset => (*window, *limits) = (None, None),
+        }
+    }
+}
+
 /// How much larger the wheel makes what it is turned over, with Ctrl or without.
 pub fn wheel(ui: &egui::Ui) -> Option<f64> {
     let (wheel, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
@@ -69,7 +90,7 @@ pub fn is_panning(response: &egui::Response) -> bool {
 }
 
 /// Ends moved inside a range; `None` where that is all of it.
-pub fn held([low, high]: [f64; 2], [first, last]: [f64; 2]) -> Option<[f64; 2]> {
+fn held([low, high]: [f64; 2], [first, last]: [f64; 2]) -> Option<[f64; 2]> {
     let width = (high - low).max(1e-3 * (last - first) / 90.0);
     if !(width.is_finite() && low.is_finite()) || width >= (last - first) * (1.0 - 1e-6) {
         return None;

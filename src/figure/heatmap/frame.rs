@@ -42,7 +42,7 @@ impl View {
     }
 
     /// Itself, or all where it is no part that there can be: from a file, its numbers may be any.
-    pub fn or_all(self) -> Self {
+    pub fn sanitized(self) -> Self {
         let possible = |(low, high): (f64, f64)| {
             low >= 0.0 && high <= 1.0 + 1e-9 && high - low >= CLOSEST * (1.0 - 1e-9)
         };

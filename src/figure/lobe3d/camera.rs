@@ -36,7 +36,7 @@ impl Default for Camera {
 
 impl Camera {
     /// The nearest camera that there can be: from a file, its numbers may be any.
-    pub fn held(self) -> Self {
+    pub fn clamped(self) -> Self {
         let usual = Self::default();
         let rotation = match self.rotation.length() {
             length if (length - 1.0).abs() < 1e-12 => self.rotation,

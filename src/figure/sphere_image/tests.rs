@@ -89,6 +89,24 @@ fn light_and_area_of_a_picture_are_the_integrals_over_the_sphere() {
 }
 
 #[test]
+fn an_enlarged_part_has_the_light_of_its_place() {
+    let (size, source) = (41, SphereSource::One(diffuse(0.7)));
+    let sight = Sight::default().zoomed(4.0, [0.5, -0.3]);
+    let seen = |sight| render_part(&source, &frontal(), sight, size).to_linear();
+    let (part, planted) = (seen(sight), seen(Sight::default()));
+    let mut whole_is_off = 0.0_f64;
+    for at in [[5, 5], [20, 20], [35, 8], [12, 33]] {
+        let unit = |place: usize| (place as f64 + 0.5 - 20.5) / radius_px(size);
+        let (x, y) = sight.point(unit(at[0]), -unit(at[1]));
+        let expected = 0.7 * (1.0 - x * x - y * y).sqrt();
+        let of = |picture: &[[f32; 4]]| f64::from(picture[at[1] * size + at[0]][0]);
+        assert!((of(&part) - expected).abs() < 1e-3, "{at:?}");
+        whole_is_off = whole_is_off.max((of(&planted) - expected).abs());
+    }
+    assert!(whole_is_off > 0.1, "the whole sphere went unnoticed");
+}
+
+#[test]
 fn exposure_scales_and_nothing_is_clamped_before_the_bytes() {
     let source = SphereSource::One(diffuse(0.9));
     let mut view = frontal();

@@ -173,6 +173,14 @@ fn hand_written_sessions_may_leave_almost_all_out() {
 }
 
 #[test]
+fn a_view_that_is_null_is_as_if_left_out() {
+    let found = with("/views/lobes", Value::Null);
+    assert_eq!(found.remarks, [""; 0]);
+    let lobes = found.session.views.get::<LobeSettings>();
+    assert_eq!(*lobes, LobeSettings::default());
+}
+
+#[test]
 fn what_is_no_session_is_refused_in_one_line() {
     let good = text(&rich());
     for (text, words) in [

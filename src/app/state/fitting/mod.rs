@@ -1,24 +1,25 @@
 //! Fitting in the window: what is asked for, what is under way, what is kept.
 //!
 //! ```text
-//! Settings ── Command::Fit ──▶ Run + Task::Fit ──▶ a thread with a pool of its own (work.rs)
-//!                               │                      │ every word of the fit goes into a slot
-//!     what is on screen ◀── Run.live ◀── FitMsg::Updates ┘ that the window empties at each frame
+//! Settings ── Command::Fit ──▶ Run + Task::Fit ──▶ a job (jobs/fit.rs)
+//!                               │                      │ what it reports is gathered for about a frame
+//!     what is on screen ◀── Run.live ◀── FitMsg::Updates ┘
 //!                               │
 //! Esc, a slider, another fit: stop ── the best so far becomes the model, at once, as one step
 //!                               │
 //!                          FitMsg::Done ──▶ Material.fits, one KeptFit per variant
 //! ```
 //!
-//! The scene does not change while a fit runs: [`State::current`] lays `Run.live` over it, and the end is one edit.
+//! The scene does not change while a fit runs: [`crate::app::state::State::current`] lays `Run.live` over it, and the end is one edit.
 //! So the fit is one step of the history whatever else is edited meanwhile. Kept fits, settings and check boxes are
 //! beside the scene: undo brings the model's numbers back, not these.
 //!
 //! A run of one variant drives the model of its material; a run of several leaves the model alone and fills the table.
-//! Newest wins: a run that is stopped or replaced is known by its number, and what it says later is not heard.
+//! Newest wins: a run that is stopped or replaced is known by its number, and its later reports change nothing.
 //!
-//! "Keep ρ_d, k_s optimal": an edit of the model's shape asks for a [`RefitAmplitudes`]; the answer sets ρ_d and k_s of
+//! "Keep ρ_d, k_s optimal": an edit of the model's shape asks for their refit; the answer sets ρ_d and k_s of
 //! whatever shape is there then, without a step of its own, so that a drag with its answers is one step.
+
 pub mod kept;
 pub mod run;
 pub mod settings;
@@ -36,9 +37,9 @@ pub struct FitState {
     pub run: Option<Run>,
     /// Whether ρ_d and k_s follow the other parameters.
     pub keep_optimal: bool,
-    /// Answers to a [`RefitAmplitudes`] with a smaller number are out of date.
+    /// Refits of ρ_d and k_s with a smaller number are out of date.
     pub refit_from: u64,
-    /// The [`RefitAmplitudes`] of a model that was taken whole: its answer counts though ρ_d and k_s follow nothing.
+    /// The refit of a model that was taken whole: its answer counts though ρ_d and k_s follow nothing.
     pub refit_taken: u64,
     /// Order of the table.
     pub sort: SortBy,

@@ -3,6 +3,7 @@
 use crate::app::state::library::{Examined, FolderFile, Kind, Library};
 use crate::brdf::ParamId;
 use std::cmp::Ordering;
+use std::path::{Path, PathBuf};
 
 /// What the files are ordered by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -39,6 +40,25 @@ pub struct Sort {
 }
 
 impl Library {
+    /// What a file of the folder is.
+    pub fn kind_of(&self, path: &Path) -> Option<&Kind> {
+        let mut files = self.folder.as_ref()?.files.iter();
+        files.find(|file| file.path == path).map(|file| &file.kind)
+    }
+
+    /// The measured files in the order in which they are listed.
+    pub fn steps(&self) -> Vec<PathBuf> {
+        let Some(folder) = &self.folder else {
+            return Vec::new();
+        };
+        let rows = self.visible();
+        let files = rows.iter().map(|index| &folder.files[*index]);
+        files
+            .filter(|file| file.is_measured())
+            .map(|file| file.path.clone())
+            .collect()
+    }
+
     /// Positions of the files that the search leaves, in order. Files without a value come last in either direction.
     pub fn visible(&self) -> Vec<usize> {
         let Some(folder) = &self.folder else {

@@ -1,20 +1,21 @@
 //! The library: a folder of files, what is known of each, and which tables are in memory.
 //!
 //! ```text
-//! a folder is opened ──▶ Scan ── a thread (scan.rs): names, then kinds, then every file read once ──▶ Folder.files
+//! a folder is opened ──▶ Scan ── jobs (jobs/scan.rs): names, then kinds, then every file read once ──▶ Folder.files
 //! click, arrows ──▶ Show ── a Pending and Task::Load; the newest wins ──▶ Msg::Loaded ──▶ the preview is replaced
-//! fit all ──▶ FitFolder ── a thread (fit_work.rs): file by file ──▶ Library.fits, by path
+//! fit all ──▶ FitFolder ── a job a file (jobs/folder_fit.rs) ──▶ Library.fits, by path
 //! after every message: memory::keep ── tables over the limit go, those that are shown come back
 //! ```
 //!
 //! A file that is stepped to is a *preview*: the next one takes its place, unless a person changed its model, fits it,
 //! shows it beside others or keeps it (Enter, double click).
 //!
-//! [`Material::table`] is let go when it was not shown for the longest time and the limit says so; a table without
-//! values stands in for it ([`Presence`]). What is about to be shown is loaded first: until it is there, the last
+//! [`crate::app::state::material::Material::table`] is let go when it was not shown for the longest time and the limit says so; a table without
+//! values stands in for it ([`crate::app::state::material::Presence`]). What is about to be shown is loaded first: until it is there, the last
 //! picture stays. Undo and closing change the scene at once, and the data follow.
 //!
-//! Opening a file and a fit of the shown material go first: while there is either, the threads here wait.
+//! Opening a file and a fit of the shown material go first: while there is either, the jobs of the library wait.
+
 #[cfg(test)]
 pub(crate) mod fixtures;
 pub mod folder_run;
@@ -52,7 +53,7 @@ pub struct Library {
     pub fits: BTreeMap<PathBuf, Vec<FitRecord>>,
     /// The fit of the whole folder.
     pub run: Option<FolderRun>,
-    /// Counts messages: the time of [`Material::last_shown`].
+    /// Counts messages: the time of [`crate::app::state::material::Material::last_shown`].
     pub clock: u64,
     /// Makes the scan wait while something is opened.
     pub hold: Hold,

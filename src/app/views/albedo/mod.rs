@@ -1,4 +1,5 @@
 //! The albedo over the angle of incidence.
+
 pub mod settings;
 pub mod work;
 
@@ -10,7 +11,6 @@ use crate::app::state::subjects::Subjects;
 use crate::app::views::albedo::settings::AlbedoSettings;
 use crate::app::views::albedo::work::{MeasuredAlbedo, curves, queries};
 use crate::app::widgets::legend::legend_ui;
-use crate::app::widgets::zoom::Zoom;
 use crate::app::widgets::{controls, paint, probe, zoom};
 use crate::figure::Mark;
 use crate::figure::albedo::{AlbedoCurve, AlbedoPlot, AlbedoSpec};
@@ -73,17 +73,8 @@ fn interact(
     if let Some(zoom) = zoom::gesture(ui, response, &plot.frame) {
         let mut changed = view.clone();
         let spec = &mut changed.spec;
-        match zoom {
-            Zoom::X(ends) => {
-                spec.window = zoom::held(ends.map(f64::to_radians), [0.0, FRAC_PI_2]);
-            }
-            Zoom::Y(ends) => {
-                if let Some(ends) = zoom::not_negative(&plot.frame.y, ends) {
-                    spec.limits = Some(ends);
-                }
-            }
-            Zoom::Reset => (spec.window, spec.limits) = (None, None),
-        }
+        let range = [0.0, FRAC_PI_2];
+        zoom.apply(&plot.frame.y, range, &mut spec.window, &mut spec.limits);
         if changed != *view {
             out.push(Msg::set_view(changed));
         }

@@ -1,4 +1,5 @@
 //! The error map: where the E of the model comes from.
+
 pub mod settings;
 pub mod work;
 

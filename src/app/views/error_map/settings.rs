@@ -33,7 +33,7 @@ impl Settings for ErrorMapSettings {
     const VIEW: ViewId = ViewId::ErrorMap;
 
     fn sanitized(mut self) -> Self {
-        self.view = self.view.or_all();
+        self.view = self.view.sanitized();
         self
     }
 }

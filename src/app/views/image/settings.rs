@@ -17,7 +17,7 @@ impl Settings for ImageSettings {
     fn sanitized(mut self) -> Self {
         self.phi_d = self.phi_d.clamp(0.0, PI);
         self.limits = limits(self.limits);
-        self.view = self.view.or_all();
+        self.view = self.view.sanitized();
         self
     }
 }

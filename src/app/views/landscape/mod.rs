@@ -1,4 +1,5 @@
 //! The error landscape: the best E over (s, α), and the way of a fit over it.
+
 pub mod settings;
 pub mod work;
 

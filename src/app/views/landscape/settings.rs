@@ -19,7 +19,7 @@ impl Settings for LandscapeSettings {
     const VIEW: ViewId = ViewId::Landscape;
 
     fn sanitized(mut self) -> Self {
-        self.view = self.view.or_all();
+        self.view = self.view.sanitized();
         self
     }
 }

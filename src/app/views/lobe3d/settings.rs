@@ -13,7 +13,7 @@ impl Settings for Lobe3dSettings {
 
     fn sanitized(mut self) -> Self {
         self.theta_i = self.theta_i.clamp(0.0, MAX_THETA_I);
-        self.camera = self.camera.held();
+        self.camera = self.camera.clamped();
         self
     }
 }

@@ -1,4 +1,5 @@
 //! The slices: f_r over one angle, with the residual below.
+
 pub mod bar;
 pub mod settings;
 
@@ -8,7 +9,6 @@ use crate::app::state::probe::Probe;
 use crate::app::state::subjects::Subjects;
 use crate::app::views::slices::settings::{SliceSettings, mark, probe_at, through};
 use crate::app::widgets::legend::legend_ui;
-use crate::app::widgets::zoom::Zoom;
 use crate::app::widgets::{controls, paint, probe, zoom};
 use crate::figure::palette::Palette;
 use crate::figure::slices::{SlicePlot, SliceSpec};
@@ -77,15 +77,8 @@ fn interact(
     if let Some(zoom) = zoom::gesture(ui, response, &plot.frame) {
         let mut changed = view.clone();
         let spec = &mut changed.spec;
-        match zoom {
-            Zoom::X(ends) => spec.window = zoom::held(ends.map(f64::to_radians), spec.over.range()),
-            Zoom::Y(ends) => {
-                if let Some(ends) = zoom::not_negative(&plot.frame.y, ends) {
-                    spec.limits = Some(ends);
-                }
-            }
-            Zoom::Reset => (spec.window, spec.limits) = (None, None),
-        }
+        let range = spec.over.range();
+        zoom.apply(&plot.frame.y, range, &mut spec.window, &mut spec.limits);
         if changed != *view {
             out.push(Msg::set_view(changed));
         }

@@ -1,4 +1,5 @@
 //! The live-shaded sphere: data, model, both split by a line, or side by side.
+
 pub mod callback;
 pub mod error;
 pub mod settings;

@@ -1,0 +1,88 @@
+//! Questions about the whole state: what is loading, what is missing, which view is meant.
+
+use crate::app::state::State;
+use crate::app::state::material::{Material, Presence};
+use crate::app::state::session::Missing;
+use crate::app::state::views::{OnPaper, ViewId};
+use crate::brdf::{Brdf, ParamId};
+use crate::files::session;
+use std::path::Path;
+
+impl State {
+    /// What is on its way to the screen, in words.
+    pub fn loading(&self) -> Option<String> {
+        let current = || self.current().map(|(material, _)| material);
+        let name = match &self.library.pending {
+            Some(pending) => &pending.name,
+            None => &current().filter(|material| material.is_loading())?.name,
+        };
+        Some(format!("Loading {name}…"))
+    }
+
+    /// Whether and where a file is open: its position in the scene.
+    pub fn position_of_file(&self, path: &Path) -> Option<usize> {
+        self.scene.opened.iter().position(|opened| {
+            let material = self.materials.get(&opened.id);
+            material.and_then(Material::file).as_deref() == Some(path)
+        })
+    }
+
+    /// The open materials that were not found and not skipped.
+    pub fn all_asked_for(&self) -> impl Iterator<Item = &Missing> {
+        let lost = |missing: &&Missing| {
+            let open = self.scene.opened.iter().any(|one| one.id == missing.id);
+            let material = self.materials.get(&missing.id);
+            !missing.skipped && open && material.is_some_and(|m| m.presence == Presence::Missing)
+        };
+        self.session.missing.iter().filter(lost)
+    }
+
+    /// The first of them.
+    pub fn asked_for(&self) -> Option<&Missing> {
+        self.all_asked_for().next()
+    }
+
+    /// What stands in the title of the window.
+    pub fn title(&self) -> String {
+        match self.session.files.get(&self.scene.session) {
+            Some(file) => format!("{} — Grazing", session::name(file)),
+            None => "Grazing".into(),
+        }
+    }
+
+    /// The view that is meant by a command: the one under the pointer, else the last one that can be drawn.
+    pub fn meant_view(&self) -> Option<ViewId> {
+        let drawn = |pane: &ViewId| self.can_draw(*pane);
+        let views = &self.views;
+        views.pointed.or(views.last).filter(drawn).or_else(|| {
+            let front = [ViewId::Lobes, ViewId::Sphere, ViewId::Slices];
+            front.into_iter().find(drawn)
+        })
+    }
+
+    /// Whether a figure can show a view now.
+    pub fn can_draw(&self, view: ViewId) -> bool {
+        let Some((material, _)) = self.current() else {
+            return false;
+        };
+        match view.about().on_paper {
+            OnPaper::Never => false,
+            OnPaper::Always => true,
+            OnPaper::WithData => material.table.valid_count() > 0,
+            OnPaper::WithCombinedFits => self.has_combined_fits(),
+        }
+    }
+
+    /// Whether some material, open or in the folder, has a fit of the combined model.
+    fn has_combined_fits(&self) -> bool {
+        let combined = |brdf: &Brdf| brdf.uses(ParamId::Alpha);
+        let open = self
+            .scene
+            .opened
+            .iter()
+            .filter_map(|opened| self.materials.get(&opened.id));
+        let mut kept = open.flat_map(|material| &material.fits);
+        kept.any(|fit| combined(&fit.outcome.brdf))
+            || self.library.folder_fits().any(|fit| combined(&fit.brdf))
+    }
+}
