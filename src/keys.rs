@@ -57,11 +57,11 @@ mod tests {
     use crate::brdf::Fresnel;
     use crate::brdf::fresnel::FRESNELS;
     use crate::figure::image_slice::{SHOWN, Shown};
-    use crate::figure::page::{INKS, Inks, SAME_AXES, SameAxes, ViewSpec};
+    use crate::figure::page::{INKS, Inks, SAME_AXES, SameAxes};
     use crate::figure::scale::RADIAL_SCALES;
     use crate::figure::slices::{OVERS, Over, RESIDUALS, Residual};
     use crate::figure::subject::CHANNELS;
-    use crate::figure::{Channel, RadialScale};
+    use crate::figure::{Channel, RadialScale, ViewSpec};
     use crate::fit::{WEIGHTS, Weight};
     use crate::measured::Lookup;
     use crate::measured::lookup::LOOKUPS;
@@ -116,17 +116,22 @@ mod tests {
 
     #[test]
     fn a_view_on_paper_is_called_as_in_its_file() {
-        let views: [ViewSpec; 9] = names::<ViewSpec>()
-            .iter()
-            .map(|name| match *name {
-                "scatter" => ViewSpec::Scatter,
-                name => serde_json::from_str(&format!("{{\"{name}\": {{}}}}")).expect("defaults"),
-            })
-            .collect::<Vec<_>>()
-            .try_into()
-            .expect("nine");
-        for (view, name) in views.iter().zip(names::<ViewSpec>()) {
-            assert_eq!(view.key(), *name);
+        for view in ViewSpec::defaults() {
+            let value = serde_json::to_value(&view).expect("data");
+            let Some(name) = value.as_object().and_then(|object| object.keys().next()) else {
+                panic!("a view is an object, not {value}");
+            };
+            assert_eq!(view.key(), name);
+            let read = |text: &str| serde_json::from_str::<ViewSpec>(text).ok();
+            assert_eq!(read(&value.to_string()).as_ref(), Some(&view));
+            assert_eq!(read(&format!("{{\"{name}\": {{}}}}")).as_ref(), Some(&view));
+            // A scatter was written by its name alone before it had settings.
+            assert_eq!(read(&format!("\"{name}\"")).as_ref(), Some(&view));
+            assert_eq!(
+                read(&format!("{{\"{name}\": {{\"no such key\": 1}}}}")),
+                None
+            );
+            assert_eq!(read(&format!("\"{name}s\"")), None);
         }
     }
 

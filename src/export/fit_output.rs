@@ -2,9 +2,10 @@
 
 use super::error::ExportError;
 use crate::brdf::Fresnel;
-use crate::figure::error_map::Plane;
-use crate::figure::landscape::Terrain;
-use crate::figure::page::{ErrorMapSpec, FitOutput, LandscapePanel, ViewSpec};
+use crate::figure::ViewSpec;
+use crate::figure::error_map::{ErrorMapSpec, Plane};
+use crate::figure::fit_output::FitOutput;
+use crate::figure::landscape::{LandscapePanel, Terrain};
 use crate::figure::subject::{Source, Subject};
 use crate::fit::error_map::{Bin, DIRECTION_BINS, ErrorMap, error_map};
 use crate::fit::landscape::{self, Eta, Landscape, landscape};

@@ -3,7 +3,8 @@
 use super::error::ExportError;
 use super::fit_output;
 use super::spec::{FigureSpec, SubjectLook, SubjectSource, SubjectSpec};
-use crate::figure::page::{FitOutput, Page, draw};
+use crate::figure::fit_output::FitOutput;
+use crate::figure::page::{Page, draw};
 use crate::figure::subject::{Look, Source, Subject};
 use crate::files::fits::SourceFile;
 use crate::files::{self, FileError};

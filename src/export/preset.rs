@@ -2,15 +2,18 @@
 
 use super::spec::{FigureSpec, SubjectLook, SubjectSource, SubjectSpec};
 use crate::brdf::{Brdf, Fresnel, MODELS, Model};
+use crate::figure::ViewSpec;
 use crate::figure::albedo::AlbedoSpec;
+use crate::figure::error_map::ErrorMapSpec;
 use crate::figure::image_slice::{ImageSpec, Shown};
+use crate::figure::landscape::LandscapePanel;
+use crate::figure::lobe3d::Lobe3dSpec;
 use crate::figure::lobes::LobeSpec;
-use crate::figure::page::{
-    COLUMNS, ErrorMapSpec, LandscapePanel, Lobe3dSpec, PageSpec, PanelSpec, RowSpec, SameAxes,
-    SphereShow, SphereSpec, Style, ViewSpec,
-};
+use crate::figure::page::{COLUMNS, PageSpec, PanelSpec, RowSpec, SameAxes, Style};
 use crate::figure::scale::RadialScale;
+use crate::figure::scatter::ScatterSpec;
 use crate::figure::slices::{Residual, SliceSpec};
+use crate::figure::sphere_image::{SphereShow, SphereSpec};
 use crate::fit::Variant;
 use crate::geom::sphere::SphereView;
 
@@ -380,7 +383,7 @@ impl Builder<'_> {
             panels: vec![PanelSpec {
                 heading: None,
                 subjects: models.collect(),
-                view: ViewSpec::Scatter,
+                view: ViewSpec::Scatter(ScatterSpec::default()),
             }],
             ..RowSpec::default()
         }]

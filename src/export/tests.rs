@@ -3,8 +3,10 @@ use super::{
     FigureSpec, Format, Opened, Prepared, SubjectSource, open_from_files, prepare, spec_beside,
 };
 use crate::brdf::{Brdf, COMBINED, Fresnel, Params};
-use crate::figure::page::{SphereShow, Style, ViewSpec};
+use crate::figure::ViewSpec;
+use crate::figure::page::Style;
 use crate::figure::scale::RadialScale;
+use crate::figure::sphere_image::SphereShow;
 use crate::geom::sphere::SphereView;
 use crate::measured::Lookup;
 use std::ops::ControlFlow;

@@ -1,5 +1,7 @@
 //! Directional albedo over θi: how much of the light from one direction comes back, measured and modelled.
 
+mod panel;
+
 use super::drawing::{Drawing, Point};
 use super::legend::LegendEntry;
 use super::mark::Mark;

@@ -1,5 +1,9 @@
 //! Where the error of a model comes from, as colours: shares of E over the directions, or over θh and θd.
 
+mod panel;
+
+pub use panel::ErrorMapSpec;
+
 use super::heatmap::{Cell, ColorScale, Field, HeatSpec, Law, Side, Spot, View};
 use super::scale::{Axis, RadialScale, nice_limit, number};
 use crate::geom::Rgb;

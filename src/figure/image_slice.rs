@@ -3,6 +3,8 @@
 //! What is measured is shown as it stands in the table, so a cell has one value: at the middle of its θh and θd and at
 //! the chosen φd.
 
+mod panel;
+
 use super::heatmap::{Cell, ColorScale, Curve, CurveKind, Field, HeatSpec, Law, Side, Spot, View};
 use super::mark::Mark;
 use super::scale::{Axis, RadialScale, nice_limit};

@@ -1,19 +1,14 @@
 //! The best E over (s, α) as colours with lines of equal E, the way of a fit over it, and where the sliders stand.
 
-use super::contour::contours;
-use super::heatmap::{Cell, ColorScale, Curve, CurveKind, Field, HeatSpec, Law, Side, Spot, View};
-use super::scale::number;
+mod panel;
+pub mod terrain;
 
-/// E in percent at the nodes of a grid over s and α.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Terrain {
-    /// Exponents of the combined model, ascending, evenly in the logarithm.
-    pub s: Vec<f64>,
-    /// Ascending, evenly.
-    pub alpha: Vec<f64>,
-    /// A value per exponent for every α.
-    pub percent: Vec<f64>,
-}
+pub use panel::LandscapePanel;
+pub use terrain::Terrain;
+
+use super::contour::contours;
+use super::heatmap::{ColorScale, Curve, CurveKind, HeatSpec, Law, Side, Spot, View};
+use super::scale::number;
 
 /// What is shown over a terrain.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,83 +25,35 @@ pub struct LandscapeSpec {
     pub best: Option<([f64; 2], f64)>,
 }
 
-/// Cells between two nodes, so that colours change evenly.
-const FINER: usize = 4;
 /// E of the lines, relative to the smallest one.
 const LEVELS: [f64; 9] = [1.02, 1.05, 1.1, 1.2, 1.4, 1.7, 2.5, 5.0, 10.0];
 /// The largest E that has a colour of its own, relative to the smallest one.
 const WORST: f64 = 20.0;
 
-impl Terrain {
-    /// The smallest and the largest value.
-    fn ends(&self) -> Option<(f64, f64)> {
-        let values = || self.percent.iter().copied().filter(|x| x.is_finite());
-        let (low, high) = (
-            values().min_by(f64::total_cmp)?,
-            values().max_by(f64::total_cmp)?,
-        );
-        Some((low.max(1e-6), high.max(1e-6)))
-    }
-
-    /// Cells whose values are between those of the nodes.
-    pub fn field(&self) -> Field {
-        let (columns, rows) = (self.s.len(), self.alpha.len());
-        if columns < 2 || rows < 2 || self.percent.len() != columns * rows {
-            return Field::default();
+/// Lines of equal E.
+fn contour_lines(terrain: &Terrain) -> Vec<Curve> {
+    let Some((low, high)) = terrain.ends() else {
+        return Vec::new();
+    };
+    let ln_s: Vec<f64> = terrain.s.iter().map(|s| s.ln()).collect();
+    let mut curves = Vec::new();
+    for factor in LEVELS.iter().filter(|factor| low * **factor < high) {
+        let level = low * factor;
+        for line in contours(&ln_s, &terrain.alpha, &terrain.percent, level) {
+            curves.push(Curve {
+                points: line.into_iter().map(|[x, y]| [x.exp(), y]).collect(),
+                kind: CurveKind::Contour,
+                label: Some(format!("{} %", number(rounded(level)))),
+            });
         }
-        let ln_s: Vec<f64> = self.s.iter().map(|s| s.ln()).collect();
-        let x = finer(&ln_s).into_iter().map(f64::exp).collect();
-        let at = |i: usize, j: usize| self.percent[i + columns * j];
-        // The middle of a cell between its nodes.
-        let split = |k: usize| {
-            (
-                k / FINER,
-                (k % FINER) as f64 / FINER as f64 + 0.5 / FINER as f64,
-            )
-        };
-        Field::new(x, finer(&self.alpha), |column, row| {
-            let ((i, u), (j, v)) = (split(column), split(row));
-            let along = |j: usize| (1.0 - u) * at(i, j) + u * at(i + 1, j);
-            Cell::Value((1.0 - v) * along(j) + v * along(j + 1))
-        })
     }
-
-    fn curves(&self) -> Vec<Curve> {
-        let Some((low, high)) = self.ends() else {
-            return Vec::new();
-        };
-        let ln_s: Vec<f64> = self.s.iter().map(|s| s.ln()).collect();
-        let mut curves = Vec::new();
-        for factor in LEVELS.iter().filter(|factor| low * **factor < high) {
-            let level = low * factor;
-            for line in contours(&ln_s, &self.alpha, &self.percent, level) {
-                curves.push(Curve {
-                    points: line.into_iter().map(|[x, y]| [x.exp(), y]).collect(),
-                    kind: CurveKind::Contour,
-                    label: Some(format!("{} %", number(rounded(level)))),
-                });
-            }
-        }
-        curves
-    }
+    curves
 }
 
 /// Three digits.
 fn rounded(value: f64) -> f64 {
     let unit = 10f64.powi(value.abs().log10().floor() as i32 - 2);
     (value / unit).round() * unit
-}
-
-fn finer(nodes: &[f64]) -> Vec<f64> {
-    let mut edges: Vec<f64> = nodes
-        .windows(2)
-        .flat_map(|pair| {
-            let step = (pair[1] - pair[0]) / FINER as f64;
-            (0..FINER).map(move |k| pair[0] + step * k as f64)
-        })
-        .collect();
-    edges.extend(nodes.last());
-    edges
 }
 
 impl LandscapeSpec {
@@ -121,7 +68,7 @@ impl LandscapeSpec {
             Some((_, percent)) => format!("least {} %", number(rounded(percent))),
             None => "in the making".to_string(),
         };
-        let mut curves = terrain.curves();
+        let mut curves = contour_lines(terrain);
         if self.path.len() > 1 {
             curves.push(Curve {
                 points: self.path.clone(),
@@ -205,12 +152,12 @@ mod tests {
             percent: vec![1.0],
             ..terrain()
         };
-        assert_eq!(broken.field(), Field::default());
+        assert_eq!(broken.field(), crate::figure::heatmap::Field::default());
     }
 
     #[test]
     fn contours_are_where_they_say() {
-        let curves = terrain().curves();
+        let curves = contour_lines(&terrain());
         assert!(!curves.is_empty());
         for curve in &curves {
             let label = curve.label.as_deref().expect("a label");

@@ -7,6 +7,7 @@ mod camera;
 mod lobes;
 mod mesh;
 mod overlay;
+mod panel;
 mod raster;
 mod space;
 
@@ -14,16 +15,18 @@ pub use camera::{Camera, Projection};
 pub use lobes::{Lobe, Lobes, Shape};
 pub use mesh::{Detail, LobeMesh, layout, sample};
 pub use overlay::Overlay;
+pub use panel::Lobe3dSpec;
 pub use raster::picture;
 pub use space::{SpaceFill, SpaceLine, ground, wires};
 
+use super::drawing::Point;
 use glam::DVec3;
 
 /// The direction under a point of the canvas: that of the nearest point of any of the meshes there.
 pub fn pick<'a>(
     meshes: impl Iterator<Item = &'a LobeMesh>,
     projection: &Projection,
-    point: super::Point,
+    point: Point,
 ) -> Option<DVec3> {
     let [x, y] = projection.unproject(point);
     let mut nearest: Option<(f64, DVec3)> = None;

@@ -6,6 +6,7 @@ mod backdrop;
 mod draw;
 mod frame;
 mod layout;
+mod panel;
 mod spec;
 mod traces;
 

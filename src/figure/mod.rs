@@ -1,12 +1,14 @@
 //! What is drawn, as data: a spec and its curves become a [`Drawing`], which the painter and the writers walk. Pure.
 //!
-//! A new figure is a file that builds a `Drawing`; a new format is a file that walks one.
+//! A new view is a folder that builds a `Drawing`, and a line of the list at the end; a new format is a file that walks a
+//! `Drawing`.
 
 pub mod albedo;
 pub mod colormap;
 pub mod contour;
 pub mod drawing;
 pub mod error_map;
+pub mod fit_output;
 pub mod heatmap;
 pub mod image_slice;
 pub mod landscape;
@@ -16,6 +18,7 @@ pub mod lobes;
 pub mod mark;
 pub mod page;
 pub mod palette;
+pub mod panel;
 mod placing;
 pub mod plot;
 mod polyline;
@@ -28,6 +31,7 @@ pub mod subject;
 pub mod table;
 pub mod text;
 pub mod trace;
+mod view_list;
 pub mod write;
 
 pub use drawing::{Anchor, Drawing, Item, Label, Point};
@@ -39,3 +43,33 @@ pub use scale::{Axis, RadialScale};
 pub use sphere_image::sphere_image;
 pub use subject::{Channel, Look, Source, Subject};
 pub use text::RichText;
+
+use albedo::AlbedoSpec;
+use error_map::ErrorMapSpec;
+use image_slice::ImageSpec;
+use landscape::LandscapePanel;
+use lobe3d::Lobe3dSpec;
+use scatter::ScatterSpec;
+use slices::SliceSpec;
+use sphere_image::SphereSpec;
+
+view_list::view_list! {
+    /// A lit sphere.
+    Sphere(SphereSpec),
+    /// Polar lobes in the plane of incidence.
+    Lobes(LobeSpec),
+    /// f_r over one angle.
+    Slices(SliceSpec),
+    /// f_r over θh and θd.
+    ImageSlice(ImageSpec),
+    /// Albedo over θi.
+    Albedo(AlbedoSpec),
+    /// Lobes in space.
+    Lobe3d(Lobe3dSpec),
+    /// Shares of E over directions.
+    ErrorMap(ErrorMapSpec),
+    /// Least E over s and α.
+    Landscape(LandscapePanel),
+    /// Models by s and α.
+    Scatter(ScatterSpec),
+}

@@ -1,5 +1,9 @@
 //! Materials in the plane of the combined model's shape: α over s, one dot each. α = 0 is Phong, α = 1 Blinn-Phong.
 
+mod panel;
+
+pub use panel::ScatterSpec;
+
 use super::drawing::{Drawing, Point};
 use super::palette::{Ink, Role};
 use super::plot::{Frame, Outline, Panel, Pen, Plot, Spot};

@@ -4,6 +4,7 @@
 
 mod curves;
 mod draw;
+mod panel;
 mod spec;
 
 pub use curves::{ResidualTrace, SliceTrace};

@@ -3,10 +3,13 @@
 //! [`render`] makes pictures for files, [`sphere_image`] small ones for the screen; both are of a [`SphereSource`].
 
 mod bar;
+mod panel;
 mod render;
+mod spec;
 
 pub use bar::{error_names, error_ticks, error_unit};
 pub use render::{LinearImage, SAMPLES_A_SIDE, render, render_part};
+pub use spec::{SphereShow, SphereSpec};
 
 use super::colormap::ColorMap;
 use super::subject::Source;

@@ -2,15 +2,8 @@
 //!
 //! Angles are in degrees, `value` is in the unit that the picture's title states. What has no value is empty.
 
-use super::albedo::AlbedoPoint;
-use super::heatmap::{Cell, Field as Cells};
-use super::image_slice::{ImageSpec, Shown};
-use super::landscape::Terrain;
-use super::lobes::{LobePlot, LobeSpec};
-use super::scatter::ScatterDot;
-use super::slices::{Over, Residual, SlicePlot, SliceSpec};
+use super::heatmap::Field as Cells;
 use super::subject::{Channel, Look, Subject};
-use crate::geom::degrees::rounded;
 
 /// What stands in a field.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,7 +49,8 @@ pub struct Table {
 }
 
 impl Table {
-    fn new(columns: &[&'static str]) -> Self {
+    /// A table without rows.
+    pub fn new(columns: &[&'static str]) -> Self {
         Self {
             columns: columns.to_vec(),
             rows: Vec::new(),
@@ -113,117 +107,6 @@ impl Table {
         text
     }
 
-    /// The curves of a lobe plot.
-    pub fn of_lobes(plot: &LobePlot, spec: &LobeSpec, subjects: &[Subject]) -> Self {
-        let mut table = Self::new(&[
-            "quantity", "channel", "curve", "kind", "theta_i", "theta_o", "value",
-        ]);
-        for trace in &plot.traces {
-            let head = head(spec.with_cosine, spec.channel, &subjects[trace.subject]);
-            for sample in &trace.samples {
-                let mut row = head.to_vec();
-                row.push(rounded(spec.theta_i[trace.lobe]).into());
-                row.push(rounded(sample.x).into());
-                row.push(sample.value.into());
-                table.rows.push(row);
-            }
-        }
-        table
-    }
-
-    /// The curves of a plot of slices, and the residuals below them.
-    pub fn of_slices(plot: &SlicePlot, spec: &SliceSpec, subjects: &[Subject]) -> Self {
-        let mut table = Self::new(&[
-            "quantity", "channel", "curve", "kind", "theta_i", "theta_o", "theta_h", "theta_d",
-            "phi_d", "value",
-        ]);
-        let angles = |slice: usize, x: f64| -> [Field; 5] {
-            let (x, fixed) = (Field::from(rounded(x)), |angle: f64| {
-                Field::from(rounded(angle))
-            });
-            match spec.over {
-                Over::ThetaO => {
-                    let theta_i = fixed(spec.theta_i[slice]);
-                    [theta_i, x, Field::Empty, Field::Empty, Field::Empty]
-                }
-                Over::ThetaH => [
-                    Field::Empty,
-                    Field::Empty,
-                    x,
-                    fixed(spec.theta_d),
-                    fixed(spec.phi_d),
-                ],
-                Over::ThetaD => [
-                    Field::Empty,
-                    Field::Empty,
-                    fixed(spec.theta_h),
-                    x,
-                    fixed(spec.phi_d),
-                ],
-                Over::PhiD => [
-                    Field::Empty,
-                    Field::Empty,
-                    fixed(spec.theta_h),
-                    fixed(spec.theta_d),
-                    x,
-                ],
-            }
-        };
-        for trace in &plot.traces {
-            let head = head(spec.with_cosine, spec.channel, &subjects[trace.subject]);
-            for sample in &trace.samples {
-                let mut row = head.to_vec();
-                row.extend(angles(trace.slice, sample.x));
-                row.push(sample.value.into());
-                table.rows.push(row);
-            }
-        }
-        for trace in &plot.residuals {
-            let mut head = head(spec.with_cosine, spec.channel, &subjects[trace.model]);
-            head[0] = match spec.residual {
-                Residual::Ratio => "model / measured".into(),
-                Residual::None | Residual::Difference => "model − measured".into(),
-            };
-            for sample in &trace.samples {
-                let mut row = head.to_vec();
-                row.extend(angles(trace.slice, sample.x));
-                row.push(sample.value.into());
-                table.rows.push(row);
-            }
-        }
-        table
-    }
-
-    /// The cells of an image slice that are above the horizon; a value that was not measured is empty.
-    pub fn of_image(spec: &ImageSpec, cells: &Cells) -> Self {
-        let mut table = Self::new(&[
-            "quantity", "channel", "theta_h", "theta_d", "phi_d", "value",
-        ]);
-        let what = match spec.shown {
-            Shown::Measured | Shown::Model => quantity(spec.with_cosine),
-            Shown::Residual => "model − measured",
-            Shown::Ratio => "model / measured",
-        };
-        for row in 0..cells.rows() {
-            for column in 0..cells.columns() {
-                let cell = cells.cell(column, row);
-                if cell == Cell::Outside {
-                    continue;
-                }
-                let angles = spec.angles(column, row);
-                table.rows.push(vec![
-                    what.into(),
-                    spec.channel.name().into(),
-                    rounded(angles.theta_h).into(),
-                    rounded(angles.theta_d).into(),
-                    rounded(angles.phi_d).into(),
-                    cell.value().into(),
-                ]);
-            }
-        }
-        table
-    }
-
     /// Cells by the middles of their edges, under two names and that of the value.
     pub fn of_cells(names: [&'static str; 3], cells: &Cells) -> Self {
         let mut table = Self::new(&names);
@@ -238,61 +121,10 @@ impl Table {
         }
         table
     }
-
-    /// E in percent at the nodes of a landscape.
-    pub fn of_terrain(terrain: &Terrain) -> Self {
-        let mut table = Self::new(&["s", "alpha", "percent_e"]);
-        let nodes = terrain
-            .alpha
-            .iter()
-            .flat_map(|alpha| terrain.s.iter().map(move |s| (*s, *alpha)));
-        for ((s, alpha), percent) in nodes.zip(&terrain.percent) {
-            table
-                .rows
-                .push(vec![s.into(), alpha.into(), (*percent).into()]);
-        }
-        table
-    }
-
-    /// Albedos of subjects, in the same order.
-    pub fn of_albedos(channel: Channel, subjects: &[Subject], curves: &[Vec<AlbedoPoint>]) -> Self {
-        let mut table = Self::new(&[
-            "quantity",
-            "channel",
-            "curve",
-            "kind",
-            "theta_i",
-            "value",
-            "measured_share",
-        ]);
-        for (subject, curve) in subjects.iter().zip(curves) {
-            for point in curve {
-                table.rows.push(vec![
-                    "albedo".into(),
-                    channel.name().into(),
-                    subject.label.as_str().into(),
-                    kind(subject).into(),
-                    rounded(point.theta_i).into(),
-                    channel.of(point.rgb).into(),
-                    point.measured.into(),
-                ]);
-            }
-        }
-        table
-    }
-
-    /// Materials by s and α.
-    pub fn of_dots(dots: &[ScatterDot]) -> Self {
-        let mut table = Self::new(&["material", "s", "alpha"]);
-        for dot in dots {
-            let name = dot.name.as_str().into();
-            table.rows.push(vec![name, dot.s.into(), dot.alpha.into()]);
-        }
-        table
-    }
 }
 
-fn head(with_cosine: bool, channel: Channel, subject: &Subject) -> [Field; 4] {
+/// The fields that say what a curve shows: quantity, channel, name and kind of its subject.
+pub fn curve_head(with_cosine: bool, channel: Channel, subject: &Subject) -> [Field; 4] {
     [
         quantity(with_cosine).into(),
         channel.name().into(),
@@ -301,7 +133,8 @@ fn head(with_cosine: bool, channel: Channel, subject: &Subject) -> [Field; 4] {
     ]
 }
 
-fn quantity(with_cosine: bool) -> &'static str {
+/// The quantity as it stands in a table.
+pub fn quantity(with_cosine: bool) -> &'static str {
     if with_cosine {
         "f_r cos theta_i"
     } else {
@@ -309,7 +142,8 @@ fn quantity(with_cosine: bool) -> &'static str {
     }
 }
 
-fn kind(subject: &Subject) -> &'static str {
+/// Whether a subject is measured or a model, as it stands in a table.
+pub fn kind(subject: &Subject) -> &'static str {
     match subject.look {
         Look::Measured => "measured",
         Look::Model | Look::Beside { .. } => "model",
@@ -352,15 +186,10 @@ mod tests {
 
     #[test]
     fn names_cannot_break_rows() {
-        let dot = ScatterDot {
-            name: "two\nlines\tand a tab".into(),
-            s: 1e-20,
-            alpha: 0.5,
-            fill: super::super::Role::Muted,
-            ring: None,
-            shown: false,
-        };
-        let text = Table::of_dots(&[dot]).text('\t');
+        let mut table = Table::new(&["material", "s", "alpha"]);
+        let name = "two\nlines\tand a tab";
+        table.rows.push(vec![name.into(), 1e-20.into(), 0.5.into()]);
+        let text = table.text('\t');
         assert_eq!(
             text,
             "material\ts\talpha\ntwo lines and a tab\t1e-20\t0.5\n"

@@ -40,23 +40,23 @@ const FONT: f32 = 10.5;
 
 /// Draws a trace into `size` points.
 pub fn draw(spec: &TraceSpec, size: [f32; 2]) -> Drawing {
-    let mut sheet = Sheet::new(size);
+    let mut canvas = Canvas::new(size);
     let points = laid_out(spec.points);
     if points.is_empty() {
-        sheet.frame();
+        canvas.frame();
         let center = [
-            0.5 * (sheet.left + sheet.right),
-            0.5 * (sheet.top + sheet.bottom),
+            0.5 * (canvas.left + canvas.right),
+            0.5 * (canvas.top + canvas.bottom),
         ];
-        sheet.text(spec.empty, center, Anchor::CENTER, Role::Muted);
-        return sheet.drawing;
+        canvas.text(spec.empty, center, Anchor::CENTER, Role::Muted);
+        return canvas.drawing;
     }
-    let view = View::of(&points, &sheet);
-    sheet.frame();
-    axes(&mut sheet, &view);
-    stages(&mut sheet, &view, &points);
-    curve(&mut sheet, &view, &points, spec.series);
-    sheet.drawing
+    let view = View::of(&points, &canvas);
+    canvas.frame();
+    axes(&mut canvas, &view);
+    stages(&mut canvas, &view, &points);
+    curve(&mut canvas, &view, &points, spec.series);
+    canvas.drawing
 }
 
 /// A point with its place on the axes.
@@ -88,7 +88,7 @@ fn laid_out(points: &[TracePoint]) -> Vec<Placed> {
     placed
 }
 
-/// The ends of both axes, and where values are on the sheet.
+/// The ends of both axes, and where values are on the canvas.
 struct View {
     last: f64,
     low: f64,
@@ -97,7 +97,7 @@ struct View {
 }
 
 impl View {
-    fn of(points: &[Placed], sheet: &Sheet) -> Self {
+    fn of(points: &[Placed], canvas: &Canvas) -> Self {
         let most = points.iter().map(|p| p.percent).fold(0.0, f64::max);
         let most = if most > 0.0 { most } else { 1.0 };
         let least = points.iter().map(|p| p.percent).fold(most, f64::min);
@@ -110,7 +110,7 @@ impl View {
             last: points.last().map_or(1.0, |point| point.x.max(1.0)),
             low,
             high,
-            corners: [[sheet.left, sheet.top], [sheet.right, sheet.bottom]],
+            corners: [[canvas.left, canvas.top], [canvas.right, canvas.bottom]],
         }
     }
 
@@ -145,10 +145,10 @@ fn round_below(value: f64) -> f64 {
         .unwrap_or(value)
 }
 
-fn axes(sheet: &mut Sheet, view: &View) {
-    sheet.text(
+fn axes(canvas: &mut Canvas, view: &View) {
+    canvas.text(
         "E [%], log",
-        [sheet.left, 0.5 * sheet.top],
+        [canvas.left, 0.5 * canvas.top],
         Anchor::LEFT,
         Role::Muted,
     );
@@ -165,51 +165,51 @@ fn axes(sheet: &mut Sheet, view: &View) {
             continue;
         }
         let y = view.y(mark);
-        let label = sheet.label(
+        let label = canvas.label(
             &number(mark),
-            [sheet.left - 5.0, y],
+            [canvas.left - 5.0, y],
             Anchor::RIGHT,
             Role::Muted,
         );
-        if sheet.placing.try_place(&mut sheet.drawing, label) {
-            let line = vec![[sheet.left, y], [sheet.right, y]];
-            sheet
+        if canvas.placing.try_place(&mut canvas.drawing, label) {
+            let line = vec![[canvas.left, y], [canvas.right, y]];
+            canvas
                 .drawing
                 .line(line, 1.0, Ink::from(Role::Faint).faded(0.6));
         }
     }
-    let below = sheet.bottom + 0.8 * FONT;
-    sheet.text("0", [sheet.left, below], Anchor::CENTER, Role::Muted);
-    let last = [sheet.right, below];
+    let below = canvas.bottom + 0.8 * FONT;
+    canvas.text("0", [canvas.left, below], Anchor::CENTER, Role::Muted);
+    let last = [canvas.right, below];
     let count = format!("{} evaluations", view.last);
-    sheet.text(&count, last, Anchor::RIGHT, Role::Muted);
+    canvas.text(&count, last, Anchor::RIGHT, Role::Muted);
 }
 
 /// A line where a stage begins, and its number.
-fn stages(sheet: &mut Sheet, view: &View, points: &[Placed]) {
+fn stages(canvas: &mut Canvas, view: &View, points: &[Placed]) {
     let mut begin = 0.0;
     for stage in points.chunk_by(|a, b| a.stage == b.stage) {
         let end = stage.last().map_or(begin, |point| point.x);
         let (left, right) = (view.x(begin), view.x(end));
         if begin > 0.0 {
-            let line = vec![[left, sheet.top], [left, sheet.bottom]];
-            sheet
+            let line = vec![[left, canvas.top], [left, canvas.bottom]];
+            canvas
                 .drawing
                 .dashed_line(line, 1.0, Some([2.0, 3.0]), Role::Muted.into());
         }
-        let label = sheet.label(
+        let label = canvas.label(
             &stage[0].stage.to_string(),
-            [0.5 * (left + right), sheet.top + 0.75 * FONT],
+            [0.5 * (left + right), canvas.top + 0.75 * FONT],
             Anchor::CENTER,
             Role::Muted,
         );
         // A stage of a few evaluations is narrower than its number; the number stands over it all the same.
-        sheet.placing.try_place(&mut sheet.drawing, label);
+        canvas.placing.try_place(&mut canvas.drawing, label);
         begin = end;
     }
 }
 
-fn curve(sheet: &mut Sheet, view: &View, points: &[Placed], series: usize) {
+fn curve(canvas: &mut Canvas, view: &View, points: &[Placed], series: usize) {
     let ink = Ink::from(Role::Series(series));
     let at = |point: &Placed| [view.x(point.x), view.y(point.percent)];
     let mut line: Vec<Point> = Vec::new();
@@ -218,7 +218,7 @@ fn curve(sheet: &mut Sheet, view: &View, points: &[Placed], series: usize) {
         let both = pair[0].all_cells && pair[1].all_cells;
         if line.is_empty() || both != exact {
             let last = line.last().copied();
-            sheet
+            canvas
                 .drawing
                 .line(std::mem::take(&mut line), 1.6, faded(ink, exact));
             line.push(last.unwrap_or_else(|| at(&pair[0])));
@@ -231,9 +231,9 @@ fn curve(sheet: &mut Sheet, view: &View, points: &[Placed], series: usize) {
             line.push(next);
         }
     }
-    sheet.drawing.line(line, 1.6, faded(ink, exact));
+    canvas.drawing.line(line, 1.6, faded(ink, exact));
     if let Some(last) = points.last() {
-        sheet.drawing.items.push(Item::Dot {
+        canvas.drawing.items.push(Item::Dot {
             center: at(last),
             radius: 3.0,
             ink,
@@ -247,7 +247,7 @@ fn faded(ink: Ink, exact: bool) -> Ink {
 }
 
 /// The drawing and the rectangle of the plot in it.
-struct Sheet {
+struct Canvas {
     drawing: Drawing,
     placing: Placing,
     left: f32,
@@ -256,7 +256,7 @@ struct Sheet {
     bottom: f32,
 }
 
-impl Sheet {
+impl Canvas {
     fn new(size: [f32; 2]) -> Self {
         Self {
             drawing: Drawing::new(size),

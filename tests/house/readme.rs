@@ -2,13 +2,8 @@
 //! named.
 
 use grazing::export::preset::PRESETS;
-use grazing::figure::albedo::AlbedoSpec;
-use grazing::figure::image_slice::ImageSpec;
-use grazing::figure::lobes::LobeSpec;
-use grazing::figure::page::{
-    ErrorMapSpec, LandscapePanel, Lobe3dSpec, SphereSpec, Style, ViewSpec,
-};
-use grazing::figure::slices::SliceSpec;
+use grazing::figure::ViewSpec;
+use grazing::figure::page::Style;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
@@ -111,16 +106,7 @@ fn keys(value: &Value, found: &mut BTreeSet<String>) {
 #[test]
 fn every_key_of_a_figure_spec_is_documented() {
     let mut all = BTreeSet::new();
-    for view in [
-        ViewSpec::Sphere(SphereSpec::default()),
-        ViewSpec::Lobes(LobeSpec::default()),
-        ViewSpec::Slices(SliceSpec::default()),
-        ViewSpec::ImageSlice(ImageSpec::default()),
-        ViewSpec::Albedo(AlbedoSpec::default()),
-        ViewSpec::Lobe3d(Lobe3dSpec::default()),
-        ViewSpec::ErrorMap(ErrorMapSpec::default()),
-        ViewSpec::Landscape(LandscapePanel::default()),
-    ] {
+    for view in ViewSpec::defaults() {
         keys(&serde_json::to_value(view).expect("data"), &mut all);
     }
     keys(

@@ -18,7 +18,7 @@ use grazing::app::state::views::{VIEWS, ViewId};
 use grazing::app::views::lobes::settings::LobeSettings;
 use grazing::app::views::sphere::settings::SphereSettings;
 use grazing::export::{FigureSpec, Format};
-use grazing::figure::page::ViewSpec;
+use grazing::figure::ViewSpec;
 use grazing::geom::sight::Sight;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

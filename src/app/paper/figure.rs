@@ -17,11 +17,14 @@ use crate::app::views::slices::settings::{SliceSettings, through};
 use crate::app::views::sphere::settings::{Show, SphereSettings};
 use crate::brdf::Fresnel;
 use crate::export::{FigureSpec, SubjectLook, SubjectSource, SubjectSpec};
-use crate::figure::page::{
-    ErrorMapSpec, LandscapePanel, Lobe3dSpec, PageSpec, PanelSpec, RowSpec, SphereShow, SphereSpec,
-    Style, ViewSpec,
-};
+use crate::figure::ViewSpec;
+use crate::figure::error_map::ErrorMapSpec;
+use crate::figure::landscape::LandscapePanel;
+use crate::figure::lobe3d::Lobe3dSpec;
+use crate::figure::page::{PageSpec, PanelSpec, RowSpec, Style};
 use crate::figure::palette::Role;
+use crate::figure::scatter::ScatterSpec;
+use crate::figure::sphere_image::{SphereShow, SphereSpec};
 use crate::figure::subject::{Look, Source};
 use crate::measured::{SAMPLES, Table};
 use std::sync::Arc;
@@ -199,7 +202,7 @@ impl<'a> Maker<'a> {
                 vec![of(ViewSpec::ErrorMap(spec), &shown)]
             }
             ViewId::Landscape => vec![of(ViewSpec::Landscape(self.landscape()), &shown)],
-            ViewId::Scatter => vec![of(ViewSpec::Scatter, &self.dots())],
+            ViewId::Scatter => vec![of(ViewSpec::Scatter(ScatterSpec::default()), &self.dots())],
             ViewId::Fits => Vec::new(),
         }
     }

@@ -28,46 +28,46 @@ impl Overlay {
     pub fn new(lobes: &Lobes, camera: Camera, wo: Option<DVec3>, size: [f32; 2]) -> Self {
         let [width, height] = size;
         let font = font_size([width, height]);
-        let mut sheet = Sheet {
+        let mut canvas = Canvas {
             drawing: Drawing::new(size),
             placing: Placing::default(),
             font,
         };
-        let below = title_and_legend(&mut sheet, lobes);
+        let below = title_and_legend(&mut canvas, lobes);
         let projection = Projection::new(camera, [0.0, below.1], size);
-        vectors(&mut sheet, lobes, &projection, wo);
-        values(&mut sheet, lobes, &projection);
-        circles(&mut sheet, &projection);
+        vectors(&mut canvas, lobes, &projection, wo);
+        values(&mut canvas, lobes, &projection);
+        circles(&mut canvas, &projection);
         if let Some(wo) = wo {
-            probe(&mut sheet, lobes, &projection, wo);
+            probe(&mut canvas, lobes, &projection, wo);
         }
         if lobes.meshes().all(|mesh| mesh.triangles.is_empty()) {
-            nothing(&mut sheet, lobes.list.is_empty());
+            nothing(&mut canvas, lobes.list.is_empty());
         }
         Self {
-            drawing: sheet.drawing,
+            drawing: canvas.drawing,
             legend: below.0,
             projection,
         }
     }
 }
 
-struct Sheet {
+struct Canvas {
     drawing: Drawing,
     placing: Placing,
     font: f32,
 }
 
-impl Sheet {
+impl Canvas {
     fn label(&self, text: RichText, pos: Point, anchor: Anchor, role: Role) -> Label {
         Label::new(text, pos, anchor, self.font, role)
     }
 }
 
 /// Title at the left, names at the right, or under each other; and where they end.
-fn title_and_legend(sheet: &mut Sheet, lobes: &Lobes) -> (Vec<LegendEntry>, f32) {
-    let [width, _] = sheet.drawing.size;
-    let font = sheet.font;
+fn title_and_legend(canvas: &mut Canvas, lobes: &Lobes) -> (Vec<LegendEntry>, f32) {
+    let [width, _] = canvas.drawing.size;
+    let font = canvas.font;
     let (pad, line) = (0.7 * font, LINE_HEIGHT * font);
     let shape = &lobes.shape;
     let cosine = if shape.with_cosine { " cos θ_{i}" } else { "" };
@@ -82,8 +82,8 @@ fn title_and_legend(sheet: &mut Sheet, lobes: &Lobes) -> (Vec<LegendEntry>, f32)
         RichText::parse(&format!("{start}, θ_{{i}} = {degrees}°"))
     };
     let title_width = font * title.width_em();
-    let label = sheet.label(title, [pad, pad + 0.5 * line], Anchor::LEFT, Role::Muted);
-    sheet.placing.place(&mut sheet.drawing, label);
+    let label = canvas.label(title, [pad, pad + 0.5 * line], Anchor::LEFT, Role::Muted);
+    canvas.placing.place(&mut canvas.drawing, label);
     let names: Vec<RichText> = lobes
         .list
         .iter()
@@ -112,9 +112,15 @@ fn title_and_legend(sheet: &mut Sheet, lobes: &Lobes) -> (Vec<LegendEntry>, f32)
         if !beside && x > pad && x + entry_width > width {
             (x, y) = (pad, y + line);
         }
-        let (entry, label) =
-            draw_entry(&mut sheet.drawing, index, &lobe.subject, name, [x, y], font);
-        sheet.placing.place(&mut sheet.drawing, label);
+        let (entry, label) = draw_entry(
+            &mut canvas.drawing,
+            index,
+            &lobe.subject,
+            name,
+            [x, y],
+            font,
+        );
+        canvas.placing.place(&mut canvas.drawing, label);
         legend.push(entry);
         if beside {
             y += line;
@@ -127,7 +133,7 @@ fn title_and_legend(sheet: &mut Sheet, lobes: &Lobes) -> (Vec<LegendEntry>, f32)
 }
 
 /// Heads of the vectors and their names.
-fn vectors(sheet: &mut Sheet, lobes: &Lobes, projection: &Projection, wo: Option<DVec3>) {
+fn vectors(canvas: &mut Canvas, lobes: &Lobes, projection: &Projection, wo: Option<DVec3>) {
     let wi = lobes.wi();
     let named = [("n", DVec3::Z), ("ω_{i}", wi), ("ω_{r}", mirror(wi))];
     let named = named.into_iter().chain(wo.map(|wo| ("ω_{o}", wo)));
@@ -140,38 +146,38 @@ fn vectors(sheet: &mut Sheet, lobes: &Lobes, projection: &Projection, wo: Option
         } else {
             (0.0, -1.0)
         };
-        let head = 0.8 * sheet.font;
+        let head = 0.8 * canvas.font;
         if length > head {
             let tail = [tip[0] - 1.01 * head * ux, tip[1] - 1.01 * head * uy];
             let ink = Ink::from(Role::Foreground);
-            sheet.drawing.arrow(tail, tip, 1.5, head, ink);
+            canvas.drawing.arrow(tail, tip, 1.5, head, ink);
         }
-        let gap = 0.35 * sheet.font;
+        let gap = 0.35 * canvas.font;
         let pos = [tip[0] + gap * ux, tip[1] + gap * uy];
-        let label = sheet.label(
+        let label = canvas.label(
             RichText::parse(name),
             pos,
             Anchor::towards(-ux, -uy),
             Role::Foreground,
         );
-        sheet.placing.try_place(&mut sheet.drawing, label);
+        canvas.placing.try_place(&mut canvas.drawing, label);
     }
 }
 
 /// Values of the rings of the plane of incidence, along the surface at the right.
-fn values(sheet: &mut Sheet, lobes: &Lobes, projection: &Projection) {
+fn values(canvas: &mut Canvas, lobes: &Lobes, projection: &Projection) {
     for tick in lobes.axis.ticks(4).into_iter().rev() {
         let mut pos = projection.point(tick.position * DVec3::X);
-        pos[1] += 0.3 * sheet.font;
-        let mut label = sheet.label(tick.label, pos, Anchor::TOP, Role::Muted);
-        label.size = 0.9 * sheet.font;
+        pos[1] += 0.3 * canvas.font;
+        let mut label = canvas.label(tick.label, pos, Anchor::TOP, Role::Muted);
+        label.size = 0.9 * canvas.font;
         label.halo = true;
-        sheet.placing.try_place(&mut sheet.drawing, label);
+        canvas.placing.try_place(&mut canvas.drawing, label);
     }
 }
 
 /// Angles of the circles of the surface, on whichever side of the plane of incidence is nearer to the eye.
-fn circles(sheet: &mut Sheet, projection: &Projection) {
+fn circles(canvas: &mut Canvas, projection: &Projection) {
     let towards_eye = projection.view(DVec3::Y).z.signum();
     // One beside the other, as the outer circles are close together.
     for (degrees, aside) in CIRCLES_DEG.into_iter().zip([0.0, 0.0, 0.55]) {
@@ -179,20 +185,20 @@ fn circles(sheet: &mut Sheet, projection: &Projection) {
         let azimuth = towards_eye * (std::f64::consts::FRAC_PI_2 + aside);
         let on_surface = direction(theta, azimuth).with_z(0.0);
         let pos = projection.point(on_surface);
-        let mut label = sheet.label(
+        let mut label = canvas.label(
             RichText::literal(&format!("{degrees:.0}°")),
             pos,
             Anchor::CENTER,
             Role::Muted,
         );
-        label.size = 0.85 * sheet.font;
+        label.size = 0.85 * canvas.font;
         label.halo = true;
-        sheet.placing.try_place(&mut sheet.drawing, label);
+        canvas.placing.try_place(&mut canvas.drawing, label);
     }
 }
 
 /// A dot on every lobe towards `wo`.
-fn probe(sheet: &mut Sheet, lobes: &Lobes, projection: &Projection, wo: DVec3) {
+fn probe(canvas: &mut Canvas, lobes: &Lobes, projection: &Projection, wo: DVec3) {
     for lobe in lobes.list.iter().filter(|lobe| !lobe.subject.hidden) {
         let Some(value) = lobes.shape.value(&lobe.subject.source, wo) else {
             continue;
@@ -201,23 +207,23 @@ fn probe(sheet: &mut Sheet, lobes: &Lobes, projection: &Projection, wo: DVec3) {
         let center = projection.point(radius * wo);
         let role = Role::Series(lobe.subject.series);
         let dot = probe_dot(center, role, true);
-        sheet.drawing.items.push(dot);
+        canvas.drawing.items.push(dot);
     }
 }
 
 /// Why there is nothing to see.
-fn nothing(sheet: &mut Sheet, no_subjects: bool) {
+fn nothing(canvas: &mut Canvas, no_subjects: bool) {
     let text = if no_subjects {
         "Open a material to see its lobes."
     } else {
         "Nothing to show at this angle."
     };
-    let [width, height] = sheet.drawing.size;
-    let label = sheet.label(
+    let [width, height] = canvas.drawing.size;
+    let label = canvas.label(
         RichText::literal(text),
         [0.5 * width, 0.5 * height],
         Anchor::CENTER,
         Role::Muted,
     );
-    sheet.placing.place(&mut sheet.drawing, label);
+    canvas.placing.place(&mut canvas.drawing, label);
 }

@@ -1,6 +1,6 @@
 //! The curves of a lobe plot, what names them, and the order in which all is drawn.
 
-use super::backdrop::{self, Sheet};
+use super::backdrop::{self, LobeCanvas};
 use super::layout::Plan;
 use super::{LobeFrame, LobeSpec, Trace};
 use crate::figure::drawing::{Anchor, Drawing, Item, Point};
@@ -19,15 +19,15 @@ pub(super) fn draw(
     plan: &Plan,
     size: [f32; 2],
 ) -> (Drawing, Vec<LegendEntry>) {
-    let mut sheet = Sheet::new(frame, plan.font, size);
+    let mut canvas = LobeCanvas::new(frame, plan.font, size);
     let (title, at) = &plan.title;
-    let label = sheet.label(title.clone(), *at, Anchor::LEFT, Role::Muted);
-    sheet.placing.place(&mut sheet.drawing, label);
-    let entries = legend(&mut sheet, subjects, plan);
-    backdrop::ground(&mut sheet);
-    backdrop::vectors(&mut sheet, spec);
-    backdrop::rim_labels(&mut sheet);
-    backdrop::ring_labels(&mut sheet);
+    let label = canvas.label(title.clone(), *at, Anchor::LEFT, Role::Muted);
+    canvas.placing.place(&mut canvas.drawing, label);
+    let entries = legend(&mut canvas, subjects, plan);
+    backdrop::ground(&mut canvas);
+    backdrop::vectors(&mut canvas, spec);
+    backdrop::rim_labels(&mut canvas);
+    backdrop::ring_labels(&mut canvas);
     // The active lobes over the others, models over measurements.
     let mut order: Vec<&Trace> = traces.iter().collect();
     order.sort_by_key(|trace| {
@@ -36,46 +36,46 @@ pub(super) fn draw(
     });
     for trace in &order {
         lobe(
-            &mut sheet,
+            &mut canvas,
             trace,
             &subjects[trace.subject],
             spec.is_strong(trace.lobe),
         );
     }
     if !spec.still {
-        backdrop::handles(&mut sheet, spec);
+        backdrop::handles(&mut canvas, spec);
     }
-    probe_dots(&mut sheet, spec, subjects, &order);
-    lobe_labels(&mut sheet, spec, traces);
+    probe_dots(&mut canvas, spec, subjects, &order);
+    lobe_labels(&mut canvas, spec, traces);
     if !traces.iter().any(|trace| trace.values().next().is_some()) {
-        nothing(&mut sheet, subjects.is_empty());
+        nothing(&mut canvas, subjects.is_empty());
     }
-    (sheet.drawing, entries)
+    (canvas.drawing, entries)
 }
 
-fn legend(sheet: &mut Sheet, subjects: &[Subject], plan: &Plan) -> Vec<LegendEntry> {
+fn legend(canvas: &mut LobeCanvas, subjects: &[Subject], plan: &Plan) -> Vec<LegendEntry> {
     let entries = plan.legend.iter().map(|(index, name, at)| {
         let (entry, label) = legend::draw_entry(
-            &mut sheet.drawing,
+            &mut canvas.drawing,
             *index,
             &subjects[*index],
             name,
             *at,
-            sheet.font,
+            canvas.font,
         );
-        sheet.placing.place(&mut sheet.drawing, label);
+        canvas.placing.place(&mut canvas.drawing, label);
         entry
     });
     entries.collect()
 }
 
 /// A trace as polylines, broken where it has no value and where it leaves the rim.
-fn lobe(sheet: &mut Sheet, trace: &Trace, subject: &Subject, strong: bool) {
+fn lobe(canvas: &mut LobeCanvas, trace: &Trace, subject: &Subject, strong: bool) {
     let ink = Ink::from(Role::Series(subject.series)).faded(if strong { 1.0 } else { 0.5 });
     let width = subject.look.width() * if strong { 1.0 } else { 0.6 };
-    for points in runs(sheet.frame, trace) {
+    for points in runs(canvas.frame, trace) {
         if let [lone] = points[..] {
-            sheet.drawing.items.push(Item::Dot {
+            canvas.drawing.items.push(Item::Dot {
                 center: lone,
                 radius: 0.5 * width,
                 ink,
@@ -83,7 +83,9 @@ fn lobe(sheet: &mut Sheet, trace: &Trace, subject: &Subject, strong: bool) {
             });
         }
         let dash = subject.look.dash();
-        sheet.drawing.dashed_line(thinned(points), width, dash, ink);
+        canvas
+            .drawing
+            .dashed_line(thinned(points), width, dash, ink);
     }
 }
 
@@ -97,7 +99,7 @@ fn runs(frame: &LobeFrame, trace: &Trace) -> Vec<Vec<Point>> {
 }
 
 /// Where the probe meets the active lobes.
-fn probe_dots(sheet: &mut Sheet, spec: &LobeSpec, subjects: &[Subject], traces: &[&Trace]) {
+fn probe_dots(canvas: &mut LobeCanvas, spec: &LobeSpec, subjects: &[Subject], traces: &[&Trace]) {
     let Some(Mark { at: theta_o, exact }) = spec.probe else {
         return;
     };
@@ -105,16 +107,16 @@ fn probe_dots(sheet: &mut Sheet, spec: &LobeSpec, subjects: &[Subject], traces: 
         let Some(value) = trace.value_at(theta_o) else {
             continue;
         };
-        if sheet.frame.axis.position(value) <= 1.0 {
-            let center = sheet.frame.point(theta_o, value);
+        if canvas.frame.axis.position(value) <= 1.0 {
+            let center = canvas.frame.point(theta_o, value);
             let role = Role::Series(subjects[trace.subject].series);
-            sheet.drawing.items.push(probe_dot(center, role, exact));
+            canvas.drawing.items.push(probe_dot(center, role, exact));
         }
     }
 }
 
 /// θi beside the tip of each lobe, where there is room: the active one first.
-fn lobe_labels(sheet: &mut Sheet, spec: &LobeSpec, traces: &[Trace]) {
+fn lobe_labels(canvas: &mut LobeCanvas, spec: &LobeSpec, traces: &[Trace]) {
     if spec.theta_i.len() < 2 {
         return;
     }
@@ -131,22 +133,22 @@ fn lobe_labels(sheet: &mut Sheet, spec: &LobeSpec, traces: &[Trace]) {
         };
         let degrees = (10.0 * spec.theta_i[lobe].to_degrees()).round() / 10.0;
         let text = RichText::literal(&format!("{degrees}°"));
-        let position = sheet.frame.axis.position(value).min(1.0);
+        let position = canvas.frame.axis.position(value).min(1.0);
         let role = if spec.is_strong(lobe) {
             Role::Foreground
         } else {
             Role::Muted
         };
-        let tip = sheet.frame.at(theta_o, position);
-        let gap = 0.35 * sheet.font;
+        let tip = canvas.frame.at(theta_o, position);
+        let gap = 0.35 * canvas.font;
         // Beyond the tip, then beside it on either side, a little inwards.
         for turn_deg in [0.0, 100.0, -100.0, 60.0, -60.0, 130.0, -130.0_f64] {
             let heading = theta_o + turn_deg.to_radians();
             let (dx, dy) = (heading.sin() as f32, -heading.cos() as f32);
             let at = [tip[0] + gap * dx, tip[1] + gap * dy];
-            let mut label = sheet.label(text.clone(), at, Anchor::towards(-dx, -dy), role);
+            let mut label = canvas.label(text.clone(), at, Anchor::towards(-dx, -dy), role);
             label.halo = true;
-            if sheet.inside_disc(&label) && sheet.placing.try_place(&mut sheet.drawing, label) {
+            if canvas.inside_disc(&label) && canvas.placing.try_place(&mut canvas.drawing, label) {
                 break;
             }
         }
@@ -154,19 +156,19 @@ fn lobe_labels(sheet: &mut Sheet, spec: &LobeSpec, traces: &[Trace]) {
 }
 
 /// One sentence in place of curves.
-fn nothing(sheet: &mut Sheet, no_curves: bool) {
+fn nothing(canvas: &mut LobeCanvas, no_curves: bool) {
     let sentence = if no_curves {
         "Open a material to see its lobes."
     } else {
         "No value at these angles."
     };
     let mut text = RichText::literal(sentence);
-    let room = 1.7 * sheet.frame.radius / sheet.font;
+    let room = 1.7 * canvas.frame.radius / canvas.font;
     if text.width_em() > room {
         text = RichText::literal("Nothing to show.");
     }
-    let at = sheet.frame.at(0.0, 0.45);
-    let mut label = sheet.label(text, at, Anchor::CENTER, Role::Muted);
+    let at = canvas.frame.at(0.0, 0.45);
+    let mut label = canvas.label(text, at, Anchor::CENTER, Role::Muted);
     label.halo = true;
-    sheet.placing.place(&mut sheet.drawing, label);
+    canvas.placing.place(&mut canvas.drawing, label);
 }

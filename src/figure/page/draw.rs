@@ -1,17 +1,17 @@
 //! Panels in rows on a page, with what names them.
 
-use super::fit_output::FitOutput;
 use super::lock::lock;
-use super::panel;
-use super::panel_io::{PanelDrawing, PanelInput};
 use super::place::{PagePlacement, place};
-use super::spec::{PageSpec, PanelSpec, ViewSpec};
+use super::spec::{PageSpec, PanelSpec};
 use super::style::Style;
+use crate::figure::ViewSpec;
 use crate::figure::drawing::{
     Anchor, Drawing, Item, LARGEST_FONT, LINE_HEIGHT, Label, SMALLEST_FONT,
 };
+use crate::figure::fit_output::FitOutput;
 use crate::figure::legend::{SWATCH_EM, draw_entry};
 use crate::figure::palette::Role;
+use crate::figure::panel::{PanelDrawing, PanelInput};
 use crate::figure::subject::{Look, Subject};
 use crate::figure::table::Table;
 use crate::figure::text::{RichText, elided};
@@ -55,18 +55,15 @@ pub fn draw(
         let name = measured.find(|subject| subject.look == Look::Measured);
         let [_, _, width, height] = places[index];
         let scale = layout.scale(width, height);
-        panel::draw(
-            view,
-            &PanelInput {
-                subjects: &unnamed(&named, view),
-                named: &named,
-                made: made.get(index).and_then(Option::as_ref),
-                name: name.map_or("", |subject| &subject.label),
-                size: [width / scale, height / scale],
-                density: scale * (layout.style.dpi / 72.0) as f32,
-                palette: &palette,
-            },
-        )
+        view.panel().draw(&PanelInput {
+            subjects: &unnamed(&named, view),
+            named: &named,
+            made: made.get(index).and_then(Option::as_ref),
+            name: name.map_or("", |subject| &subject.label),
+            size: [width / scale, height / scale],
+            density: scale * (layout.style.dpi / 72.0) as f32,
+            palette: &palette,
+        })
     };
     let panels: Vec<PanelSpec> = spec
         .rows
@@ -131,7 +128,7 @@ fn check(spec: &PageSpec, subjects: &[Subject]) -> Result<(), String> {
 fn unnamed(named: &[Subject], view: &ViewSpec) -> Vec<Subject> {
     let mut subjects = named.to_vec();
     for subject in &mut subjects {
-        if view.has_curves() {
+        if view.panel().has_curves() {
             subject.label.clear();
         }
     }
@@ -212,7 +209,7 @@ impl<'a> Layout<'a> {
             let room = self.width - left - MARGIN - gap * (count - 1.0);
             let width = (room / count).max(10.0);
             let heights = row.panels.iter();
-            let heights = heights.map(|panel| panel.view.height(width, self.font));
+            let heights = heights.map(|panel| panel.view.panel().height(width, self.font));
             let height = row.height_mm.map_or_else(
                 || heights.fold(0.2 * width, f32::max),
                 |mm| (mm * POINTS_PER_MM) as f32,
@@ -274,7 +271,7 @@ impl<'a> Layout<'a> {
             .fold(0.0, f32::max);
         let mut named: Vec<&Subject> = Vec::new();
         let panels = spec.rows.iter().flat_map(|row| &row.panels);
-        for panel in panels.filter(|panel| panel.view.has_curves()) {
+        for panel in panels.filter(|panel| panel.view.panel().has_curves()) {
             for subject in panel.subjects.iter().map(|at| &subjects[*at]) {
                 let same = |other: &&Subject| {
                     (&other.label, other.look, other.series)

@@ -1,38 +1,13 @@
 //! The same axis of values for all panels of a kind.
 
-use super::panel_io::PanelDrawing;
-use super::spec::{PageSpec, ViewSpec};
+use super::spec::PageSpec;
 use super::style::SameAxes;
-use crate::figure::image_slice::Shown;
-use crate::figure::scale::{Axis, RadialScale};
-use crate::figure::subject::Channel;
+use crate::figure::ViewSpec;
+use crate::figure::panel::{PanelDrawing, SharedAxis};
+use crate::figure::scale::Axis;
 
-/// What two panels have in common whose values compare.
-type Kind = (&'static str, RadialScale, bool, Channel);
-
-fn kind(view: &ViewSpec) -> Option<Kind> {
-    let name = view.key();
-    match view {
-        ViewSpec::Lobes(spec) => Some((name, spec.scale, spec.with_cosine, spec.channel)),
-        ViewSpec::Slices(spec) => Some((name, spec.scale, spec.with_cosine, spec.channel)),
-        ViewSpec::ImageSlice(spec) if matches!(spec.shown, Shown::Measured | Shown::Model) => {
-            Some((name, spec.scale, spec.with_cosine, spec.channel))
-        }
-        ViewSpec::Albedo(spec) => Some((name, RadialScale::Linear, false, spec.channel)),
-        _ => None,
-    }
-}
-
-/// Where a view has its limits, if it can have any.
-fn limits(view: &mut ViewSpec) -> Option<&mut Option<[f64; 2]>> {
-    match view {
-        ViewSpec::Lobes(spec) => Some(&mut spec.limits),
-        ViewSpec::Slices(spec) => Some(&mut spec.limits),
-        ViewSpec::ImageSlice(spec) => Some(&mut spec.limits),
-        ViewSpec::Albedo(spec) => Some(&mut spec.limits),
-        _ => None,
-    }
-}
+/// The panels that get one axis: a kind of view, what its axis shows, and the row where rows are apart.
+type Group = (&'static str, SharedAxis, usize);
 
 /// Gives panels of a kind the limits that hold all of them; those that have limits keep theirs. `draw` draws a panel
 /// by its number.
@@ -44,12 +19,12 @@ pub(super) fn lock(spec: &mut PageSpec, mut draw: impl FnMut(usize, &ViewSpec) -
     };
     let rows = || spec.rows.iter().enumerate();
     let panels = || rows().flat_map(|(row, spec)| spec.panels.iter().map(move |p| (row, p)));
-    let mut groups: Vec<((Kind, usize), Vec<usize>)> = Vec::new();
+    let mut groups: Vec<(Group, Vec<usize>)> = Vec::new();
     for (index, (row, panel)) in panels().enumerate() {
-        let Some(kind) = kind(&panel.view) else {
+        let Some(axis) = panel.view.panel().shared_axis() else {
             continue;
         };
-        let key = (kind, if in_rows { row } else { 0 });
+        let key = (panel.view.key(), axis, if in_rows { row } else { 0 });
         match groups.iter_mut().find(|(other, _)| *other == key) {
             Some((_, members)) => members.push(index),
             None => groups.push((key, vec![index])),
@@ -77,7 +52,7 @@ pub(super) fn lock(spec: &mut PageSpec, mut draw: impl FnMut(usize, &ViewSpec) -
             .enumerate();
         for (index, panel) in &mut panels {
             if members.contains(&index)
-                && let Some(limits) = limits(&mut panel.view)
+                && let Some(limits) = panel.view.panel_mut().limits_mut()
                 && limits.is_none()
             {
                 *limits = Some([low, high]);

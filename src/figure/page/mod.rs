@@ -7,22 +7,15 @@
 //! A panel is the same drawing that the window shows, at the size at which its text has the wanted font size.
 
 mod draw;
-mod fit_output;
 mod lock;
-mod panel;
-mod panel_io;
+mod only_sphere;
 mod place;
 mod spec;
-mod sphere;
 mod style;
 
 pub use draw::{Page, draw};
-pub use fit_output::FitOutput;
-pub use spec::{
-    ErrorMapSpec, LandscapePanel, Lobe3dSpec, PageSpec, PanelSpec, RowSpec, SphereShow, SphereSpec,
-    ViewSpec,
-};
-pub use sphere::only_sphere;
+pub use only_sphere::only_sphere;
+pub use spec::{PageSpec, PanelSpec, RowSpec};
 pub use style::{COLUMNS, INKS, Inks, SAME_AXES, SameAxes, Style};
 
 #[cfg(test)]

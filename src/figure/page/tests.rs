@@ -1,9 +1,9 @@
-use super::{
-    Inks, PageSpec, PanelSpec, RowSpec, SameAxes, SphereShow, SphereSpec, Style, ViewSpec, draw,
-};
+use super::{Inks, PageSpec, PanelSpec, RowSpec, SameAxes, Style, draw};
+use crate::figure::ViewSpec;
 use crate::figure::drawing::{Drawing, Item};
 use crate::figure::lobes::LobeSpec;
 use crate::figure::scale::RadialScale;
+use crate::figure::sphere_image::{SphereShow, SphereSpec};
 use crate::figure::subject::{Look, Source, Subject};
 use crate::figure::table::Field;
 use crate::figure::write::POINTS_PER_MM;

@@ -37,8 +37,8 @@ impl Plot {
             .collect();
         for (spot, place) in spots.iter().zip(&places).rev() {
             if let Some(center) = place {
-                self.sheet.placing.keep_free(*center, spot.radius);
-                self.sheet.drawing.items.push(Item::Dot {
+                self.canvas.placing.keep_free(*center, spot.radius);
+                self.canvas.drawing.items.push(Item::Dot {
                     center: *center,
                     radius: spot.radius,
                     ink: spot.ink,
@@ -60,7 +60,7 @@ impl Plot {
             && frame.shows(x, y)
         {
             let dot = probe_dot(frame.point(x, y), role, exact);
-            self.sheet.drawing.items.push(dot);
+            self.canvas.drawing.items.push(dot);
         }
     }
 
@@ -78,17 +78,20 @@ impl Plot {
         let (Some(frame), false) = (self.frames.get(panel).copied(), name.runs.is_empty()) else {
             return false;
         };
-        let gap = radius + 0.3 * self.sheet.font;
+        let gap = radius + 0.3 * self.canvas.font;
         for turn_deg in [0.0, 90.0, -90.0, 45.0, -45.0, 135.0, -135.0, 180.0_f32] {
             let (sin, cos) = turn_deg.to_radians().sin_cos();
             let pos = [at[0] + gap * sin, at[1] - gap * cos];
             let anchor = Anchor::towards(-sin, cos);
-            let mut label = self.sheet.label(name.clone(), pos, anchor, role);
+            let mut label = self.canvas.label(name.clone(), pos, anchor, role);
             label.halo = true;
             let [min, max] = label.bounds();
             if frame.contains(min)
                 && frame.contains(max)
-                && self.sheet.placing.try_place(&mut self.sheet.drawing, label)
+                && self
+                    .canvas
+                    .placing
+                    .try_place(&mut self.canvas.drawing, label)
             {
                 return true;
             }
@@ -105,15 +108,17 @@ impl Plot {
             let share = frame.x.share(x).clamp(0.0, 1.0);
             frame.min[0] + frame.size()[0] * share as f32
         };
-        let size = 0.85 * self.sheet.font;
+        let size = 0.85 * self.canvas.font;
         let (left, right) = (across(from), across(to));
         if right - left < size * (text.width_em() + 0.4) {
             return;
         }
         let pos = [0.5 * (left + right), frame.min[1] + 0.25 * size];
-        let mut label = self.sheet.label(text.clone(), pos, Anchor::TOP, role);
+        let mut label = self.canvas.label(text.clone(), pos, Anchor::TOP, role);
         label.size = size;
-        self.sheet.placing.try_place(&mut self.sheet.drawing, label);
+        self.canvas
+            .placing
+            .try_place(&mut self.canvas.drawing, label);
     }
 
     /// The first of these sentences that fits, in the middle of a panel in place of curves.
@@ -122,14 +127,16 @@ impl Plot {
             return;
         };
         let [width, height] = frame.size();
-        let room = 0.95 * width / self.sheet.font;
+        let room = 0.95 * width / self.canvas.font;
         let texts = sentences.iter().map(|sentence| RichText::parse(sentence));
         let Some(text) = texts.clone().find(|text| text.width_em() <= room) else {
             return;
         };
         let at = [frame.min[0] + 0.5 * width, frame.min[1] + 0.5 * height];
-        let mut label = self.sheet.label(text, at, Anchor::CENTER, Role::Muted);
+        let mut label = self.canvas.label(text, at, Anchor::CENTER, Role::Muted);
         label.halo = true;
-        self.sheet.placing.try_place(&mut self.sheet.drawing, label);
+        self.canvas
+            .placing
+            .try_place(&mut self.canvas.drawing, label);
     }
 }

@@ -3,11 +3,11 @@
 //! A view lays its plot out with [`Plot::new`], then shades, draws the axes, curves, marks, in the order in which they
 //! lie over each other.
 
+mod canvas;
 mod frame;
 mod layout;
 mod marks;
 mod outline;
-mod sheet;
 
 pub use frame::Frame;
 pub use marks::Spot;
@@ -18,12 +18,12 @@ use super::legend::{self, LegendEntry};
 use super::palette::{Ink, Role};
 use super::polyline;
 use super::text::RichText;
+pub(super) use canvas::Canvas;
 use layout::{NUMBER_GAP_EM, Plan};
-pub(super) use sheet::Sheet;
 
 /// A plot in the making.
 pub struct Plot {
-    sheet: Sheet,
+    canvas: Canvas,
     plan: Plan,
     x_name: String,
     /// One per panel.
@@ -36,21 +36,21 @@ impl Plot {
     /// Lays out `size` points and draws title and legend.
     pub fn new(outline: &Outline, size: [f32; 2]) -> Self {
         let plan = Plan::new(outline, size);
-        let mut sheet = Sheet::new(size, plan.font);
+        let mut canvas = Canvas::new(size, plan.font);
         let (title, at) = &plan.title;
-        sheet.text(title.clone(), *at, Anchor::LEFT, Role::Muted);
+        canvas.text(title.clone(), *at, Anchor::LEFT, Role::Muted);
         let mut entries = Vec::new();
         for (index, name, at) in &plan.legend {
             let subject = &outline.subjects[*index];
-            let font = sheet.font;
+            let font = canvas.font;
             let (entry, label) =
-                legend::draw_entry(&mut sheet.drawing, *index, subject, name, *at, font);
-            sheet.placing.place(&mut sheet.drawing, label);
+                legend::draw_entry(&mut canvas.drawing, *index, subject, name, *at, font);
+            canvas.placing.place(&mut canvas.drawing, label);
             entries.push(entry);
         }
         for place in &plan.panels {
             if let Some((title, at)) = &place.title {
-                sheet.text(title.clone(), *at, Anchor::LEFT, Role::Muted);
+                canvas.text(title.clone(), *at, Anchor::LEFT, Role::Muted);
             }
         }
         let frames = plan.panels.iter().zip(&outline.panels);
@@ -62,7 +62,7 @@ impl Plot {
         });
         Self {
             frames: frames.collect(),
-            sheet,
+            canvas,
             x_name: outline.x_name.clone(),
             plan,
             legend: entries,
@@ -86,7 +86,7 @@ impl Plot {
                     corner(to, 1.0),
                     corner(from, 1.0),
                 ];
-                self.sheet.drawing.fill(points, ink);
+                self.canvas.drawing.fill(points, ink);
             }
         }
     }
@@ -98,7 +98,7 @@ impl Plot {
         for (frame, place) in self.frames.iter().zip(&self.plan.panels) {
             let [left, top] = frame.min;
             let [right, bottom] = frame.max;
-            let drawing = &mut self.sheet.drawing;
+            let drawing = &mut self.canvas.drawing;
             let across = |position: f64| left + (right - left) * position as f32;
             let up = |position: f64| bottom - (bottom - top) * position as f32;
             for tick in &self.plan.x_marks.major {
@@ -141,7 +141,7 @@ impl Plot {
                     frame.min[0] - gap,
                     frame.max[1] - height * tick.position as f32,
                 ];
-                self.sheet
+                self.canvas
                     .try_text(tick.label.clone(), at, Anchor::RIGHT, Role::Muted);
             }
         }
@@ -157,10 +157,10 @@ impl Plot {
             (left + width, Anchor::RIGHT)
         };
         let at = [x, self.plan.name_y];
-        self.sheet.axis_name(name, at, anchor);
+        self.canvas.axis_name(name, at, anchor);
         for tick in &self.plan.x_marks.major {
             let at = [left + width * tick.position as f32, self.plan.numbers_y];
-            self.sheet
+            self.canvas
                 .try_text(tick.label.clone(), at, Anchor::CENTER, Role::Muted);
         }
     }
@@ -177,7 +177,7 @@ impl Plot {
         };
         let samples = samples.map(|(x, y)| (x, y.map(|y| frame.y.share(y))));
         for points in polyline::runs(samples, |x, share| frame.at(x, share)) {
-            self.sheet.run(points, pen);
+            self.canvas.run(points, pen);
         }
     }
 
@@ -187,7 +187,7 @@ impl Plot {
             let share = frame.y.share(y);
             if (0.0..=1.0).contains(&share) {
                 let [left, right] = [0.0, 1.0].map(|end| frame.at(frame.x.value(end), share));
-                self.sheet.run(vec![left, right], pen);
+                self.canvas.run(vec![left, right], pen);
             }
         }
     }
@@ -197,16 +197,16 @@ impl Plot {
         for frame in &self.frames {
             if (0.0..=1.0).contains(&frame.x.share(x)) {
                 let line: Vec<Point> = [0.0, 1.0].map(|end| frame.at(x, end)).to_vec();
-                self.sheet.run(line, pen);
+                self.canvas.run(line, pen);
             }
         }
     }
 
     /// The picture and the legend's places.
     pub fn finish(self) -> (Drawing, Vec<LegendEntry>) {
-        (self.sheet.drawing, self.legend)
+        (self.canvas.drawing, self.legend)
     }
 }
 
 #[cfg(test)]
-pub(in crate::figure) mod tests;
+pub(super) mod tests;

@@ -166,7 +166,7 @@ fn names_stand_behind_the_title_where_they_fit() {
 #[test]
 fn a_curve_is_broken_in_gaps_and_cut_at_the_frame() {
     let mut plot = Plot::new(&outline(&[], RadialScale::Linear, [0.0, 1.0]), SIZES[2]);
-    let before = plot.sheet.drawing.items.len();
+    let before = plot.canvas.drawing.items.len();
     let y = |x: f64| match x.abs() {
         x if x < 10.0 => None,
         x if x < 30.0 => Some(2.0),
@@ -175,7 +175,7 @@ fn a_curve_is_broken_in_gaps_and_cut_at_the_frame() {
     let samples = (-90..=90).map(|x| (f64::from(x), y(f64::from(x))));
     let frame = plot.frames[0];
     plot.curve(0, samples, Pen::thin(Role::Series(0).into()));
-    let lines: Vec<_> = plot.sheet.drawing.items[before..].iter().collect();
+    let lines: Vec<_> = plot.canvas.drawing.items[before..].iter().collect();
     assert_eq!(lines.len(), 2, "{lines:?}");
     for item in lines {
         let Item::Line { points, .. } = item else {

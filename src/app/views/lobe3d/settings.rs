@@ -2,7 +2,7 @@
 
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::Settings;
-use crate::figure::page::Lobe3dSpec;
+use crate::figure::lobe3d::Lobe3dSpec;
 use crate::geom::limits::MAX_THETA_I;
 
 /// Settings of the lobes in space. θi is that of the light where there is no probe.

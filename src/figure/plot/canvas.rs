@@ -8,14 +8,14 @@ use crate::figure::polyline::thinned;
 use crate::figure::text::RichText;
 
 /// A drawing and its texts.
-pub(in crate::figure) struct Sheet {
+pub struct Canvas {
     pub drawing: Drawing,
     pub placing: Placing,
     /// Size of all texts in points.
     pub font: f32,
 }
 
-impl Sheet {
+impl Canvas {
     pub fn new(size: [f32; 2], font: f32) -> Self {
         Self {
             drawing: Drawing::new(size),
@@ -24,7 +24,7 @@ impl Sheet {
         }
     }
 
-    /// A text in the size of the sheet, without a halo.
+    /// A text in the size of the canvas, without a halo.
     pub fn label(&self, text: RichText, pos: Point, anchor: Anchor, role: Role) -> Label {
         Label::new(text, pos, anchor, self.font, role)
     }

@@ -1,6 +1,6 @@
 //! Results of fitting, as a panel takes them.
 
-use crate::figure::landscape::Terrain;
+use super::landscape::terrain::Terrain;
 use crate::geom::Rgb;
 
 /// Results of fitting that a panel shows and that drawing does not compute.

@@ -1,0 +1,76 @@
+//! The albedo plot on paper.
+
+use super::{AlbedoCurve, AlbedoPlot, AlbedoPoint, AlbedoSpec, curve};
+use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
+use crate::figure::scale::RadialScale;
+use crate::figure::subject::{Channel, Subject};
+use crate::figure::table::{Table, kind};
+use crate::geom::degrees::rounded;
+use std::ops::ControlFlow;
+
+impl PanelView for AlbedoSpec {
+    fn height(&self, width: f32, font: f32) -> f32 {
+        0.6 * width + 3.0 * font
+    }
+
+    fn has_curves(&self) -> bool {
+        true
+    }
+
+    fn shared_axis(&self) -> Option<SharedAxis> {
+        Some(SharedAxis {
+            scale: RadialScale::Linear,
+            with_cosine: false,
+            channel: self.channel,
+        })
+    }
+
+    fn limits_mut(&mut self) -> Option<&mut Option<[f64; 2]>> {
+        Some(&mut self.limits)
+    }
+
+    fn draw(&self, input: &PanelInput) -> PanelDrawing {
+        let curves: Vec<_> = input
+            .subjects
+            .iter()
+            .map(|subject| curve(&subject.source, || ControlFlow::Continue(())).unwrap_or_default())
+            .collect();
+        let seen: Vec<AlbedoCurve> = curves
+            .iter()
+            .map(|points| AlbedoCurve { points, old: false })
+            .collect();
+        let plot = AlbedoPlot::new(self, input.subjects, &seen, input.size);
+        PanelDrawing {
+            table: table(self.channel, input.named, &curves),
+            axis: Some(plot.frame.y),
+            drawing: plot.drawing,
+        }
+    }
+}
+
+/// Albedos of subjects, in the same order.
+fn table(channel: Channel, subjects: &[Subject], curves: &[Vec<AlbedoPoint>]) -> Table {
+    let mut table = Table::new(&[
+        "quantity",
+        "channel",
+        "curve",
+        "kind",
+        "theta_i",
+        "value",
+        "measured_share",
+    ]);
+    for (subject, curve) in subjects.iter().zip(curves) {
+        for point in curve {
+            table.rows.push(vec![
+                "albedo".into(),
+                channel.name().into(),
+                subject.label.as_str().into(),
+                kind(subject).into(),
+                rounded(point.theta_i).into(),
+                channel.of(point.rgb).into(),
+                point.measured.into(),
+            ]);
+        }
+    }
+    table
+}

@@ -1,0 +1,80 @@
+//! The image slice on paper.
+
+use super::{ImageSpec, Shown};
+use crate::figure::heatmap::{Cell, ColorScale, Field as Cells, HeatMap};
+use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
+use crate::figure::table::{Table, quantity};
+use crate::geom::degrees::rounded;
+
+impl PanelView for ImageSpec {
+    fn height(&self, width: f32, font: f32) -> f32 {
+        0.65 * width + 4.0 * font
+    }
+
+    fn shared_axis(&self) -> Option<SharedAxis> {
+        let amount = matches!(self.shown, Shown::Measured | Shown::Model);
+        amount.then_some(SharedAxis {
+            scale: self.scale,
+            with_cosine: self.with_cosine,
+            channel: self.channel,
+        })
+    }
+
+    fn limits_mut(&mut self) -> Option<&mut Option<[f64; 2]>> {
+        Some(&mut self.limits)
+    }
+
+    fn draw(&self, input: &PanelInput) -> PanelDrawing {
+        let (measured, model) = (input.source(true), input.source(false));
+        let field = self.field(measured, model);
+        let of_data = ImageSpec {
+            shown: Shown::Measured,
+            ..self.clone()
+        };
+        // Data and model have the colours of the data, where there are some.
+        let reference = match (self.shown, measured) {
+            (Shown::Model, Some(_)) => of_data.field(measured, None),
+            _ => field.clone(),
+        };
+        let heat = self.heat_spec(input.name, &field, &reference);
+        let axis = match heat.colors {
+            ColorScale::Amount(axis) => Some(axis),
+            _ => None,
+        };
+        PanelDrawing {
+            table: table(self, &field),
+            axis,
+            drawing: HeatMap::new(&heat, &field, input.size).drawing,
+        }
+    }
+}
+
+/// The cells of an image slice that are above the horizon; a value that was not measured is empty.
+fn table(spec: &ImageSpec, cells: &Cells) -> Table {
+    let mut table = Table::new(&[
+        "quantity", "channel", "theta_h", "theta_d", "phi_d", "value",
+    ]);
+    let what = match spec.shown {
+        Shown::Measured | Shown::Model => quantity(spec.with_cosine),
+        Shown::Residual => "model − measured",
+        Shown::Ratio => "model / measured",
+    };
+    for row in 0..cells.rows() {
+        for column in 0..cells.columns() {
+            let cell = cells.cell(column, row);
+            if cell == Cell::Outside {
+                continue;
+            }
+            let angles = spec.angles(column, row);
+            table.rows.push(vec![
+                what.into(),
+                spec.channel.name().into(),
+                rounded(angles.theta_h).into(),
+                rounded(angles.theta_d).into(),
+                rounded(angles.phi_d).into(),
+                cell.value().into(),
+            ]);
+        }
+    }
+    table
+}

@@ -1,0 +1,74 @@
+//! Lobes in space on paper.
+
+use super::{Camera, Detail, Lobes, Overlay, Shape, picture};
+use crate::figure::drawing::Drawing;
+use crate::figure::panel::{PanelDrawing, PanelInput, PanelView};
+use crate::figure::scale::RadialScale;
+use crate::figure::subject::Channel;
+use crate::geom::degrees;
+use serde::{Deserialize, Serialize};
+
+/// Lobes in space.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Lobe3dSpec {
+    /// Angle of incidence in radians; in the window that where there is no probe.
+    #[serde(with = "degrees")]
+    pub theta_i: f64,
+    /// Radius per f_r.
+    pub scale: RadialScale,
+    /// Whether f_r is multiplied by cos θi.
+    pub with_cosine: bool,
+    /// What of the colours is shown.
+    pub channel: Channel,
+    /// Where it is seen from.
+    pub camera: Camera,
+}
+
+impl Default for Lobe3dSpec {
+    fn default() -> Self {
+        Self {
+            theta_i: 45f64.to_radians(),
+            scale: RadialScale::CubeRoot,
+            with_cosine: false,
+            channel: Channel::Luminance,
+            camera: Camera::default(),
+        }
+    }
+}
+
+impl PanelView for Lobe3dSpec {
+    fn height(&self, width: f32, font: f32) -> f32 {
+        0.7 * width + 2.0 * font
+    }
+
+    fn has_curves(&self) -> bool {
+        true
+    }
+
+    fn draw(&self, input: &PanelInput) -> PanelDrawing {
+        let shape = Shape {
+            theta_i: self.theta_i,
+            scale: self.scale,
+            with_cosine: self.with_cosine,
+            channel: self.channel,
+            detail: Detail::Fine,
+        };
+        let lobes = Lobes::new(shape, input.subjects, None);
+        let overlay = Overlay::new(&lobes, self.camera, None, input.size);
+        let space = picture(
+            &lobes,
+            &overlay.projection,
+            input.palette,
+            input.size,
+            input.density,
+        );
+        let mut drawing = Drawing::new(input.size);
+        drawing.items.push(space);
+        drawing.items.extend(overlay.drawing.items);
+        PanelDrawing {
+            drawing,
+            ..PanelDrawing::default()
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! The lobe plot on paper.
+
+use super::{LobePlot, LobeSpec};
+use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
+use crate::figure::subject::Subject;
+use crate::figure::table::{Table, curve_head};
+use crate::geom::degrees::rounded;
+
+impl PanelView for LobeSpec {
+    fn height(&self, width: f32, font: f32) -> f32 {
+        // Half a disc, its title, and the values below it.
+        0.5 * width + 4.0 * font
+    }
+
+    fn has_curves(&self) -> bool {
+        true
+    }
+
+    fn shared_axis(&self) -> Option<SharedAxis> {
+        Some(SharedAxis {
+            scale: self.scale,
+            with_cosine: self.with_cosine,
+            channel: self.channel,
+        })
+    }
+
+    fn limits_mut(&mut self) -> Option<&mut Option<[f64; 2]>> {
+        Some(&mut self.limits)
+    }
+
+    fn draw(&self, input: &PanelInput) -> PanelDrawing {
+        let spec = LobeSpec {
+            still: true,
+            ..self.clone()
+        };
+        let plot = LobePlot::new(&spec, input.subjects, input.size);
+        PanelDrawing {
+            table: table(&plot, &spec, input.named),
+            axis: Some(plot.frame.axis),
+            drawing: plot.drawing,
+        }
+    }
+}
+
+/// The curves of a lobe plot.
+fn table(plot: &LobePlot, spec: &LobeSpec, subjects: &[Subject]) -> Table {
+    let mut table = Table::new(&[
+        "quantity", "channel", "curve", "kind", "theta_i", "theta_o", "value",
+    ]);
+    for trace in &plot.traces {
+        let head = curve_head(spec.with_cosine, spec.channel, &subjects[trace.subject]);
+        for sample in &trace.samples {
+            let mut row = head.to_vec();
+            row.push(rounded(spec.theta_i[trace.lobe]).into());
+            row.push(rounded(sample.x).into());
+            row.push(sample.value.into());
+            table.rows.push(row);
+        }
+    }
+    table
+}

@@ -1,0 +1,81 @@
+//! One panel of a page: what a kind of view is on paper, what it is drawn from, and what comes out.
+
+use super::drawing::Drawing;
+use super::fit_output::FitOutput;
+use super::palette::Palette;
+use super::scale::{Axis, RadialScale};
+use super::subject::{Channel, Look, Source, Subject};
+use super::table::Table;
+
+/// What decides whether the axes of two panels of one kind of view can have the same ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SharedAxis {
+    /// How values become lengths or colours.
+    pub scale: RadialScale,
+    /// Whether f_r is multiplied by cos θi.
+    pub with_cosine: bool,
+    /// Channel of the values.
+    pub channel: Channel,
+}
+
+/// A kind of view on paper. Its type is the spec of the view.
+pub trait PanelView {
+    /// Height of a panel `width` points wide that suits it: room for the picture and for words of the size `font`.
+    fn height(&self, width: f32, font: f32) -> f32;
+
+    /// Whether it has curves, which a legend below the page names.
+    fn has_curves(&self) -> bool {
+        false
+    }
+
+    /// Its axis of values, where panels can share one.
+    fn shared_axis(&self) -> Option<SharedAxis> {
+        None
+    }
+
+    /// The ends of its axis of values; `None` where it has no axis to set.
+    fn limits_mut(&mut self) -> Option<&mut Option<[f64; 2]>> {
+        None
+    }
+
+    /// Draws it.
+    fn draw(&self, input: &PanelInput) -> PanelDrawing;
+}
+
+/// The drawing of a panel with the numbers in it.
+#[derive(Clone, Debug, Default)]
+pub struct PanelDrawing {
+    /// The picture, of the size that was asked for.
+    pub drawing: Drawing,
+    /// The numbers in the picture; no rows where it is a picture only.
+    pub table: Table,
+    /// Its axis of values, where others may have the same.
+    pub axis: Option<Axis>,
+}
+
+/// The subjects of a panel with its size in points and its palette.
+pub struct PanelInput<'a> {
+    /// The subjects of the panel, in its order; without names where the panel is not to name them.
+    pub subjects: &'a [Subject],
+    /// The same subjects with their names.
+    pub named: &'a [Subject],
+    /// What only a fit can tell, for the views that show it.
+    pub made: Option<&'a FitOutput>,
+    /// Name of the measured material.
+    pub name: &'a str,
+    /// In points of the drawing.
+    pub size: [f32; 2],
+    /// Pixels per point of the drawing.
+    pub density: f32,
+    /// Colours of the page.
+    pub palette: &'a Palette,
+}
+
+impl PanelInput<'_> {
+    /// The first measured subject, or the first other one.
+    pub fn source(&self, measured: bool) -> Option<&Source> {
+        let mut subjects = self.subjects.iter();
+        let found = subjects.find(|subject| (subject.look == Look::Measured) == measured)?;
+        Some(&found.source)
+    }
+}

@@ -1,0 +1,58 @@
+//! The materials on paper.
+
+use super::{ScatterDot, ScatterPlot};
+use crate::figure::palette::Role;
+use crate::figure::panel::{PanelDrawing, PanelInput, PanelView};
+use crate::figure::subject::Source;
+use crate::figure::table::Table;
+use serde::{Deserialize, Serialize};
+
+/// The plot of materials on paper: the models by s and α of the combined model, in the colours of their series.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct ScatterSpec {
+    /// Ends of the axis of s; around all dots without.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub window: Option<[f64; 2]>,
+}
+
+impl PanelView for ScatterSpec {
+    fn height(&self, width: f32, font: f32) -> f32 {
+        0.6 * width + 3.0 * font
+    }
+
+    fn draw(&self, input: &PanelInput) -> PanelDrawing {
+        let dots: Vec<ScatterDot> = input
+            .subjects
+            .iter()
+            .filter_map(|subject| {
+                let Source::Model(brdf) = &subject.source else {
+                    return None;
+                };
+                Some(ScatterDot {
+                    name: subject.label.clone(),
+                    s: brdf.params.s,
+                    alpha: brdf.params.alpha,
+                    fill: Role::Series(subject.series),
+                    ring: None,
+                    shown: false,
+                })
+            })
+            .collect();
+        PanelDrawing {
+            table: table(&dots),
+            axis: None,
+            drawing: ScatterPlot::new(&dots, self.window, input.size).drawing,
+        }
+    }
+}
+
+/// Materials by s and α.
+fn table(dots: &[ScatterDot]) -> Table {
+    let mut table = Table::new(&["material", "s", "alpha"]);
+    for dot in dots {
+        let name = dot.name.as_str().into();
+        table.rows.push(vec![name, dot.s.into(), dot.alpha.into()]);
+    }
+    table
+}

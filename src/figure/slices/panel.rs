@@ -1,0 +1,104 @@
+//! Slices on paper.
+
+use super::{Over, Residual, SlicePlot, SliceSpec};
+use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
+use crate::figure::subject::Subject;
+use crate::figure::table::{Field, Table, curve_head};
+use crate::geom::degrees::rounded;
+
+impl PanelView for SliceSpec {
+    fn height(&self, width: f32, font: f32) -> f32 {
+        match self.residual {
+            Residual::None => 0.6 * width + 3.0 * font,
+            _ => 0.8 * width + 4.0 * font,
+        }
+    }
+
+    fn has_curves(&self) -> bool {
+        true
+    }
+
+    fn shared_axis(&self) -> Option<SharedAxis> {
+        Some(SharedAxis {
+            scale: self.scale,
+            with_cosine: self.with_cosine,
+            channel: self.channel,
+        })
+    }
+
+    fn limits_mut(&mut self) -> Option<&mut Option<[f64; 2]>> {
+        Some(&mut self.limits)
+    }
+
+    fn draw(&self, input: &PanelInput) -> PanelDrawing {
+        let plot = SlicePlot::new(self, input.subjects, input.size);
+        PanelDrawing {
+            table: table(&plot, self, input.named),
+            axis: Some(plot.frame.y),
+            drawing: plot.drawing,
+        }
+    }
+}
+
+/// The curves of a plot of slices, and the residuals below them.
+fn table(plot: &SlicePlot, spec: &SliceSpec, subjects: &[Subject]) -> Table {
+    let mut table = Table::new(&[
+        "quantity", "channel", "curve", "kind", "theta_i", "theta_o", "theta_h", "theta_d",
+        "phi_d", "value",
+    ]);
+    let angles = |slice: usize, x: f64| -> [Field; 5] {
+        let (x, fixed) = (Field::from(rounded(x)), |angle: f64| {
+            Field::from(rounded(angle))
+        });
+        match spec.over {
+            Over::ThetaO => {
+                let theta_i = fixed(spec.theta_i[slice]);
+                [theta_i, x, Field::Empty, Field::Empty, Field::Empty]
+            }
+            Over::ThetaH => [
+                Field::Empty,
+                Field::Empty,
+                x,
+                fixed(spec.theta_d),
+                fixed(spec.phi_d),
+            ],
+            Over::ThetaD => [
+                Field::Empty,
+                Field::Empty,
+                fixed(spec.theta_h),
+                x,
+                fixed(spec.phi_d),
+            ],
+            Over::PhiD => [
+                Field::Empty,
+                Field::Empty,
+                fixed(spec.theta_h),
+                fixed(spec.theta_d),
+                x,
+            ],
+        }
+    };
+    for trace in &plot.traces {
+        let head = curve_head(spec.with_cosine, spec.channel, &subjects[trace.subject]);
+        for sample in &trace.samples {
+            let mut row = head.to_vec();
+            row.extend(angles(trace.slice, sample.x));
+            row.push(sample.value.into());
+            table.rows.push(row);
+        }
+    }
+    for trace in &plot.residuals {
+        let mut head = curve_head(spec.with_cosine, spec.channel, &subjects[trace.model]);
+        head[0] = match spec.residual {
+            Residual::Ratio => "model / measured".into(),
+            Residual::None | Residual::Difference => "model − measured".into(),
+        };
+        for sample in &trace.samples {
+            let mut row = head.to_vec();
+            row.extend(angles(trace.slice, sample.x));
+            row.push(sample.value.into());
+            table.rows.push(row);
+        }
+    }
+    table
+}
