@@ -227,13 +227,13 @@ fn rank_of(room: &str) -> usize {
     rank.unwrap_or(ROOMS.len())
 }
 
-/// The room of a path inside `app`, such as `views/lobes/mod.rs` or `views::lobes::settings`. The settings of a view are
-/// part of the state.
+/// The room of a path inside `app`, such as `views/lobes/mod.rs` or `views::lobes::settings`. The row of a view and its
+/// settings are part of the state.
 fn room_of<'a>(path: &'a str, separator: &str) -> &'a str {
     let mut parts = path.split(separator);
     let room = parts.next().unwrap_or_default().trim_end_matches(".rs");
     let inside = parts.nth(1).unwrap_or_default().trim_end_matches(".rs");
-    if room == "views" && inside == "settings" {
+    if room == "views" && ["about", "settings"].contains(&inside) {
         "state"
     } else {
         room

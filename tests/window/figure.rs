@@ -16,6 +16,7 @@ use grazing::app::state::State;
 use grazing::app::state::notice::Dialog;
 use grazing::app::state::views::{VIEWS, ViewId};
 use grazing::app::views::lobes::settings::LobeSettings;
+use grazing::app::views::scatter::settings::ScatterSettings;
 use grazing::app::views::sphere::settings::SphereSettings;
 use grazing::export::{FigureSpec, Format};
 use grazing::figure::ViewSpec;
@@ -131,6 +132,11 @@ fn every_view_can_be_put_on_paper() {
     settle(&mut window, |state| {
         state.fit.run.is_none() && state.current().is_some_and(|(m, _)| !m.fits.is_empty())
     });
+    // Zoomed, it is zoomed on paper too.
+    let zoomed = ScatterSettings {
+        window: Some([5.0, 500.0]),
+    };
+    send(&mut window, Msg::set_view(zoomed));
     let state = window.state().state();
     let panes: Vec<ViewId> = VIEWS
         .iter()
@@ -142,6 +148,9 @@ fn every_view_can_be_put_on_paper() {
         let figure = figure.unwrap_or_else(|| panic!("{pane:?}"));
         let again = FigureSpec::from_json(&figure.spec.to_json()).expect("is read");
         assert_eq!(again, figure.spec, "{pane:?}");
+        if let ViewSpec::Scatter(on_paper) = &again.rows[0].panels[0].view {
+            assert_eq!(*on_paper, zoomed);
+        }
     }
     assert_eq!(
         figure_of(state, &[ViewId::Fits], 1, &state.prefs.figure.style),

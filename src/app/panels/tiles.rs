@@ -7,7 +7,7 @@ use crate::app::panels::lesson;
 use crate::app::state::State;
 use crate::app::state::layout::Tiles;
 use crate::app::state::views::ViewId;
-use crate::app::views::rows::Row;
+use crate::app::views::ViewRow;
 use egui_tiles::{Behavior, TileId, UiResponse};
 
 /// Draws the tiles. What no view has under the pointer is under no probe; what a person moved is a message.
@@ -56,7 +56,7 @@ impl Behavior<ViewId> for TileContent<'_> {
             // Two tiles may have one kind of control.
             ui.push_id(pane.about().key, |ui| {
                 *self.probed |=
-                    Row::of(*pane).is_some_and(|row| (row.ui)(ui, self.state, self.out));
+                    ViewRow::of(*pane).is_some_and(|row| (row.ui)(ui, self.state, self.out));
             });
             if self.state.looks_at(LookAt::Tile(*pane)) {
                 lesson::frame(ui, ui.max_rect().expand(6.0));

@@ -1,6 +1,7 @@
 //! The tiles and where they are.
 
-use crate::app::state::views::{Home, VIEWS, ViewId};
+use crate::app::state::about::Home;
+use crate::app::state::views::{VIEWS, ViewId};
 use egui_tiles::{Container, Tile, Tree};
 use serde::{Deserialize, Serialize};
 

@@ -1,5 +1,6 @@
 //! Everything the window shows, as plain data. It changes in [`crate::app::reduce::apply`] only.
 
+pub mod about;
 pub mod cache;
 pub mod figure;
 pub mod fits;

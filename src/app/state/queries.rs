@@ -1,9 +1,10 @@
 //! Questions about the whole state: what is loading, what is missing, which view is meant.
 
 use crate::app::state::State;
+use crate::app::state::about::OnPaper;
 use crate::app::state::material::{Material, Presence};
 use crate::app::state::session::Missing;
-use crate::app::state::views::{OnPaper, ViewId};
+use crate::app::state::views::ViewId;
 use crate::brdf::{Brdf, ParamId};
 use crate::files::session;
 use std::path::Path;

@@ -8,11 +8,10 @@ use crate::figure::table::Table;
 use serde::{Deserialize, Serialize};
 
 /// The plot of materials on paper: the models by s and α of the combined model, in the colours of their series.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct ScatterSpec {
     /// Ends of the axis of s; around all dots without.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub window: Option<[f64; 2]>,
 }
 

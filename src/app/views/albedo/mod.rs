@@ -1,5 +1,7 @@
 //! The albedo over the angle of incidence.
 
+pub mod about;
+pub mod paper;
 pub mod settings;
 pub mod work;
 

@@ -1,5 +1,7 @@
 //! The error map: where the E of the model comes from.
 
+pub mod about;
+pub mod paper;
 pub mod settings;
 pub mod work;
 

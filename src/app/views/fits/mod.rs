@@ -1,5 +1,6 @@
 //! The table of fits of the shown material: one row per variant.
 
+pub mod about;
 pub mod head;
 pub mod rows;
 
@@ -20,19 +21,19 @@ use egui::{Color32, Rect, Sense, UiBuilder, Vec2, pos2, vec2};
 use head::{Columns, ROW, header_ui};
 use rows::{Mark, Row};
 
-/// Draws the tile.
-pub fn fits_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+/// Draws the tile, which has no place for the probe.
+pub fn fits_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
     let Some((material, _)) = state.current() else {
         let rect = ui.available_rect_before_wrap();
         empty::empty_ui(ui, rect, "Open a material to fit models to it.");
-        return;
+        return false;
     };
     toolbar_ui(ui, state, &material.name, out);
     let rows = rows::rows(state);
     if rows.is_empty() {
         let rect = ui.available_rect_before_wrap();
         empty::empty_ui(ui, rect, "No fit of this material yet.");
-        return;
+        return false;
     }
     egui::ScrollArea::both()
         .auto_shrink([false, false])
@@ -44,6 +45,7 @@ pub fn fits_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
                 row_ui(ui, state, row, &columns, out);
             }
         });
+    false
 }
 
 fn toolbar_ui(ui: &mut egui::Ui, state: &State, name: &str, out: &mut Vec<Msg>) {

@@ -1,5 +1,7 @@
 //! The image slice: data, model, residual or ratio over θh and θd.
 
+pub mod about;
+pub mod paper;
 pub mod settings;
 
 use crate::app::msg::Msg;

@@ -1,5 +1,7 @@
 //! The error landscape: the best E over (s, α), and the way of a fit over it.
 
+pub mod about;
+pub mod paper;
 pub mod settings;
 pub mod work;
 

@@ -1,6 +1,8 @@
 //! The lobes in space: turned by the hand, for the probe's light.
 
+pub mod about;
 pub mod callback;
+pub mod paper;
 pub mod settings;
 
 use crate::app::msg::Msg;

@@ -1,5 +1,7 @@
 //! The polar lobes in the plane of incidence.
 
+pub mod about;
+pub mod paper;
 pub mod settings;
 
 use crate::app::command::Command;

@@ -1,12 +1,14 @@
 //! The materials by α and s of their combined fits: some are Phong-like, some Blinn-Phong-like.
 
+pub mod about;
+pub mod paper;
 pub mod settings;
 
 use crate::app::msg::Msg;
 use crate::app::msg::library::LibraryMsg;
 use crate::app::state::State;
 use crate::app::state::material::Material;
-use crate::app::views::scatter::settings::ScatterSettings;
+use crate::app::views::scatter::settings::{ScatterSettings, with_window};
 use crate::app::widgets::formula::{number, percent};
 use crate::app::widgets::zoom::Zoom;
 use crate::app::widgets::{empty, paint, zoom};
@@ -60,7 +62,7 @@ pub fn scatter_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool 
     let palette = Palette::of_theme(ui.visuals().dark_mode);
     paint::paint(ui.painter(), rect.min, &plot.drawing, &palette);
     let moved = match zoom::gesture(ui, &response, &plot.frame) {
-        Some(Zoom::X(ends)) => view.with_window(ends),
+        Some(Zoom::X(ends)) => with_window(view, ends),
         Some(Zoom::Reset) => ScatterSettings::default(),
         // α is never beyond its axis.
         Some(Zoom::Y(_)) | None => view,

@@ -1,6 +1,8 @@
 //! The slices: f_r over one angle, with the residual below.
 
+pub mod about;
 pub mod bar;
+pub mod paper;
 pub mod settings;
 
 use crate::app::msg::Msg;

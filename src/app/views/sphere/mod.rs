@@ -1,7 +1,9 @@
 //! The live-shaded sphere: data, model, both split by a line, or side by side.
 
+pub mod about;
 pub mod callback;
 pub mod error;
+pub mod paper;
 pub mod settings;
 
 use crate::app::command::Command;
