@@ -5,6 +5,7 @@
 
 mod panel;
 
+use super::cosine::CosineFactor;
 use super::heatmap::{Cell, ColorScale, Curve, CurveKind, Field, HeatSpec, Law, Side, Spot, View};
 use super::mark::Mark;
 use super::scale::{Axis, RadialScale, nice_limit};
@@ -76,8 +77,9 @@ pub struct ImageSpec {
     pub scale: RadialScale,
     /// What of the colours is shown.
     pub channel: Channel,
-    /// Whether f_r is multiplied by cos θi.
-    pub with_cosine: bool,
+    /// Cosines that f_r is multiplied by.
+    #[serde(rename = "with_cosine")]
+    pub cosine: CosineFactor,
     /// The ends of the colours of data and model, in 1/sr; from the data without.
     pub limits: Option<[f64; 2]>,
     /// The part in sight.
@@ -95,7 +97,7 @@ impl Default for ImageSpec {
             root: true,
             scale: RadialScale::Log,
             channel: Channel::Luminance,
-            with_cosine: false,
+            cosine: CosineFactor::NONE,
             limits: None,
             view: View::default(),
             probe: None,
@@ -135,11 +137,7 @@ impl ImageSpec {
         if !cosines.above_horizon() {
             return Cell::Outside;
         }
-        let cosine = if self.with_cosine {
-            cosines.cos_theta_i
-        } else {
-            1.0
-        };
+        let cosine = self.cosine.of(cosines.cos_theta_i, cosines.cos_theta_o);
         let of = |source: Option<&Source>| {
             let value = cosine * self.channel.of(f_r(source?, angles)?);
             value.is_finite().then_some(value)
@@ -171,11 +169,7 @@ impl ImageSpec {
     /// How the field is shown. `reference` has the values that the colours are made for: the data's, so that data and
     /// model have the same colours.
     pub fn heat_spec(&self, name: &str, field: &Field, reference: &Field) -> HeatSpec {
-        let what = if self.with_cosine {
-            "f_{r} cos θ_{i}"
-        } else {
-            "f_{r}"
-        };
+        let what = format!("f_{{r}}{}", self.cosine.markup());
         let (channel, scale) = (self.channel.name(), self.scale.phrase());
         // A ratio has no unit.
         let unit = match self.shown {

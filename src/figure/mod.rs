@@ -6,6 +6,7 @@
 pub mod albedo;
 pub mod colormap;
 pub mod contour;
+pub mod cosine;
 pub mod drawing;
 pub mod error_map;
 pub mod fit_output;
@@ -34,6 +35,7 @@ pub mod trace;
 mod view_list;
 pub mod write;
 
+pub use cosine::CosineFactor;
 pub use drawing::{Anchor, Drawing, Item, Label, Point};
 pub use legend::LegendEntry;
 pub use lobes::{LobePlot, LobeSpec};

@@ -1,5 +1,6 @@
 //! One panel of a page: what a kind of view is on paper, what it is drawn from, and what comes out.
 
+use super::cosine::CosineFactor;
 use super::drawing::Drawing;
 use super::fit_output::FitOutput;
 use super::palette::Palette;
@@ -12,8 +13,8 @@ use super::table::Table;
 pub struct SharedAxis {
     /// How values become lengths or colours.
     pub scale: RadialScale,
-    /// Whether f_r is multiplied by cos θi.
-    pub with_cosine: bool,
+    /// Cosines that f_r is multiplied by.
+    pub cosine: CosineFactor,
     /// Channel of the values.
     pub channel: Channel,
 }

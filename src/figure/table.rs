@@ -2,6 +2,7 @@
 //!
 //! Angles are in degrees, `value` is in the unit that the picture's title states. What has no value is empty.
 
+use super::cosine::CosineFactor;
 use super::heatmap::Field as Cells;
 use super::subject::{Channel, Look, Subject};
 
@@ -124,22 +125,13 @@ impl Table {
 }
 
 /// The fields that say what a curve shows: quantity, channel, name and kind of its subject.
-pub fn curve_head(with_cosine: bool, channel: Channel, subject: &Subject) -> [Field; 4] {
+pub fn curve_head(cosine: CosineFactor, channel: Channel, subject: &Subject) -> [Field; 4] {
     [
-        quantity(with_cosine).into(),
+        cosine.quantity().into(),
         channel.name().into(),
         subject.label.as_str().into(),
         kind(subject).into(),
     ]
-}
-
-/// The quantity as it stands in a table.
-pub fn quantity(with_cosine: bool) -> &'static str {
-    if with_cosine {
-        "f_r cos theta_i"
-    } else {
-        "f_r"
-    }
 }
 
 /// Whether a subject is measured or a model, as it stands in a table.

@@ -110,7 +110,8 @@ impl Command {
                 (preset.lights)() == scene.views.get::<SphereSettings>().view.lights
             }),
             Self::UseScale(scale) => scene.views.get::<LobeSettings>().scale == scale,
-            Self::ToggleCosine => scene.views.get::<LobeSettings>().with_cosine,
+            Self::ToggleCosine => scene.views.get::<LobeSettings>().cosine.theta_i,
+            Self::ToggleCosineO => scene.views.get::<LobeSettings>().cosine.theta_o,
             Self::ToggleRaw => scene.lookup == Lookup::Nearest,
             Self::ToggleTile(pane) => state.tiles.is_open(pane),
             Self::UseTheme(theme) => state.prefs.theme == theme,

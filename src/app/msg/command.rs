@@ -54,6 +54,7 @@ pub enum Command {
     UseLights(usize),
     UseScale(RadialScale),
     ToggleCosine,
+    ToggleCosineO,
     ToggleRaw,
     UseTheme(Theme),
     ToggleTile(ViewId),

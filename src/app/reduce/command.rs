@@ -127,8 +127,12 @@ pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
             scene.views.get_mut::<LobeSettings>().scale = scale;
         }),
         Command::ToggleCosine => edit(state, |scene| {
-            let lobes = scene.views.get_mut::<LobeSettings>();
-            lobes.with_cosine = !lobes.with_cosine;
+            let cosine = &mut scene.views.get_mut::<LobeSettings>().cosine;
+            cosine.theta_i = !cosine.theta_i;
+        }),
+        Command::ToggleCosineO => edit(state, |scene| {
+            let cosine = &mut scene.views.get_mut::<LobeSettings>().cosine;
+            cosine.theta_o = !cosine.theta_o;
         }),
         Command::ToggleRaw => edit(state, |scene| {
             scene.lookup = if scene.lookup == Lookup::Nearest {

@@ -22,11 +22,11 @@ use crate::app::views::scatter::settings::ScatterSettings;
 use crate::app::views::slices::settings::SliceSettings;
 use crate::app::views::sphere::settings::{Show, SphereSettings};
 use crate::brdf::{Brdf, Fresnel, MODELS, Params};
-use crate::figure::Channel;
 use crate::figure::error_map::Plane;
 use crate::figure::image_slice::Shown;
 use crate::figure::scale::RadialScale;
 use crate::figure::slices::{Over, Residual};
+use crate::figure::{Channel, CosineFactor};
 use crate::files::SourceFile;
 use crate::fit::options::NO_LIMIT;
 use crate::fit::{Ended, Errors, Options, Outcome, Stage, StageReport, Variant, Weight};
@@ -178,7 +178,7 @@ fn rich() -> State {
     scene.views.get_mut::<LobeSettings>().theta_i = [5.5, 88.0].map(f64::to_radians).to_vec();
     scene.views.get_mut::<LobeSettings>().active = 0;
     scene.views.get_mut::<LobeSettings>().scale = RadialScale::Log;
-    scene.views.get_mut::<LobeSettings>().with_cosine = true;
+    scene.views.get_mut::<LobeSettings>().cosine = CosineFactor::BOTH;
     scene.views.get_mut::<LobeSettings>().channel = Channel::B;
     let spec = &mut scene.views.get_mut::<SliceSettings>().spec;
     spec.over = Over::PhiD;
@@ -300,7 +300,7 @@ fn a_session_read_back_is_the_same_as_data() {
     }
     // Planted: a state that lost one of them would be caught.
     let mut forgetful = opened(State::default(), &original);
-    forgetful.scene.views.get_mut::<LobeSettings>().with_cosine = false;
+    forgetful.scene.views.get_mut::<LobeSettings>().cosine = CosineFactor::NONE;
     assert!(text(&forgetful) != original);
 }
 

@@ -4,6 +4,7 @@ use crate::app::state::State;
 use crate::app::state::probe::Probe;
 use crate::app::widgets::formula::number;
 use crate::app::widgets::paint;
+use crate::figure::cosine::CosineFactor;
 use crate::figure::subject::{CHANNELS, Channel};
 use crate::figure::text::RichText;
 use crate::geom::Rgb;
@@ -13,6 +14,16 @@ use std::ops::RangeInclusive;
 pub fn channel_ui(ui: &mut egui::Ui, channel: Channel) -> Option<Channel> {
     let choices = CHANNELS.map(|channel| (channel, channel.name()));
     choice_ui(ui, "Channel", channel, &choices)
+}
+
+/// The cosines that f_r is multiplied by; the new ones where they changed.
+pub fn cosine_ui(ui: &mut egui::Ui, cosine: CosineFactor) -> Option<CosineFactor> {
+    let mut changed = cosine;
+    ui.checkbox(&mut changed.theta_i, "× cos θi")
+        .on_hover_text("Multiply f_r by the cosine of the angle of incidence");
+    ui.checkbox(&mut changed.theta_o, "× cos θo")
+        .on_hover_text("Multiply f_r by the cosine of the view angle: the cosine-corrected BRDF");
+    (changed != cosine).then_some(changed)
 }
 
 /// A drop-down list with a name for screen readers; the new value where it changed.

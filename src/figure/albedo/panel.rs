@@ -1,6 +1,7 @@
 //! The albedo plot on paper.
 
 use super::{AlbedoCurve, AlbedoPlot, AlbedoPoint, AlbedoSpec, curve};
+use crate::figure::cosine::CosineFactor;
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
 use crate::figure::scale::RadialScale;
 use crate::figure::subject::{Channel, Subject};
@@ -20,7 +21,7 @@ impl PanelView for AlbedoSpec {
     fn shared_axis(&self) -> Option<SharedAxis> {
         Some(SharedAxis {
             scale: RadialScale::Linear,
-            with_cosine: false,
+            cosine: CosineFactor::NONE,
             channel: self.channel,
         })
     }

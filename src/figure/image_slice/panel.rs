@@ -3,7 +3,7 @@
 use super::{ImageSpec, Shown};
 use crate::figure::heatmap::{Cell, ColorScale, Field as Cells, HeatMap};
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
-use crate::figure::table::{Table, quantity};
+use crate::figure::table::Table;
 use crate::geom::degrees::rounded;
 
 impl PanelView for ImageSpec {
@@ -15,7 +15,7 @@ impl PanelView for ImageSpec {
         let amount = matches!(self.shown, Shown::Measured | Shown::Model);
         amount.then_some(SharedAxis {
             scale: self.scale,
-            with_cosine: self.with_cosine,
+            cosine: self.cosine,
             channel: self.channel,
         })
     }
@@ -55,7 +55,7 @@ fn table(spec: &ImageSpec, cells: &Cells) -> Table {
         "quantity", "channel", "theta_h", "theta_d", "phi_d", "value",
     ]);
     let what = match spec.shown {
-        Shown::Measured | Shown::Model => quantity(spec.with_cosine),
+        Shown::Measured | Shown::Model => spec.cosine.quantity(),
         Shown::Residual => "model − measured",
         Shown::Ratio => "model / measured",
     };

@@ -1,5 +1,6 @@
 use super::*;
 use crate::brdf::{Brdf, COMBINED, Fresnel, Params};
+use crate::figure::cosine::CosineFactor;
 use crate::measured::Table;
 use crate::measured::lookup::Lookup;
 use std::sync::Arc;
@@ -98,11 +99,15 @@ fn model_residual_and_ratio_are_those_of_eval() {
     let (table, brdf) = (table(), brdf());
     let data = Source::Measured(table.clone(), Lookup::Nearest);
     let model = Source::Model(brdf);
-    for with_cosine in [false, true] {
+    for cosine in [
+        CosineFactor::NONE,
+        CosineFactor::THETA_I,
+        CosineFactor::BOTH,
+    ] {
         let spec = |shown| ImageSpec {
             shown,
             phi_d: 40.5f64.to_radians(),
-            with_cosine,
+            cosine,
             ..ImageSpec::default()
         };
         let field = |shown| spec(shown).field(Some(&data), Some(&model));
@@ -110,19 +115,27 @@ fn model_residual_and_ratio_are_those_of_eval() {
         for (h, d) in [(10, 40), (50, 20), (0, 0), (30, 77)] {
             let angles = Grid::FOLDED.center(h, d, 40);
             let (wi, wo) = angles.to_directions();
-            let cosine = if with_cosine { wi.z } else { 1.0 };
-            let f = cosine * Channel::Luminance.of(brdf.f_r(wi, wo).expect("above"));
+            let factor = match cosine {
+                CosineFactor::NONE => 1.0,
+                CosineFactor::THETA_I => wi.z,
+                _ => wi.z * wo.z,
+            };
+            let f = factor * Channel::Luminance.of(brdf.f_r(wi, wo).expect("above"));
             let Some(g) = table.cell(table.grid().index(h, d, 40)) else {
                 panic!("the test wants a measured cell")
             };
-            let g = cosine * Channel::Luminance.of(g);
+            let g = factor * Channel::Luminance.of(g);
             let wanted = [g, f, f - g, f / g];
             for (field, wanted) in fields.iter().zip(wanted) {
                 let value = field.cell(h, d).value().expect("a value");
                 assert!((value / wanted - 1.0).abs() < 1e-9);
                 // Planted: the light and the view swapped.
                 let swapped = wanted * wo.z / wi.z;
-                assert!(!with_cosine || (value / swapped - 1.0).abs() > 1e-6 || h == 0);
+                assert!(
+                    cosine != CosineFactor::THETA_I
+                        || (value / swapped - 1.0).abs() > 1e-6
+                        || h == 0
+                );
             }
         }
     }

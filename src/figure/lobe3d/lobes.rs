@@ -1,6 +1,7 @@
 //! The lobes of all subjects on one axis, made again only as far as their inputs have changed.
 
 use super::mesh::{Detail, LobeMesh, layout, sample};
+use crate::figure::cosine::CosineFactor;
 use crate::figure::scale::{Axis, RadialScale, nice_limit};
 use crate::figure::subject::{Channel, Look, Source, Subject};
 use crate::geom::{Rgb, mirror};
@@ -14,8 +15,8 @@ pub struct Shape {
     pub theta_i: f64,
     /// How values become radii.
     pub scale: RadialScale,
-    /// Whether f_r is multiplied by cos θi.
-    pub with_cosine: bool,
+    /// Cosines that f_r is multiplied by.
+    pub cosine: CosineFactor,
     /// What of the colours is shown.
     pub channel: Channel,
     /// How fine the meshes are.
@@ -28,17 +29,15 @@ impl Shape {
         DVec3::new(-self.theta_i.sin(), 0.0, self.theta_i.cos())
     }
 
-    fn factor(&self) -> f64 {
-        if self.with_cosine {
-            self.theta_i.cos()
-        } else {
-            1.0
-        }
+    /// What is shown of f_r towards a direction.
+    fn scalar(&self) -> impl Fn(Rgb, DVec3) -> f64 {
+        let (cosine, channel, cos_theta_i) = (self.cosine, self.channel, self.theta_i.cos());
+        move |f_r, wo| cosine.of(cos_theta_i, wo.z) * channel.of(f_r)
     }
 
     /// What is shown of a source towards `wo`; `None` where it has no finite value.
     pub fn value(&self, source: &Source, wo: DVec3) -> Option<f64> {
-        let value = self.factor() * self.channel.of(source.f_r(self.wi(), wo)?);
+        let value = self.scalar()(source.f_r(self.wi(), wo)?, wo);
         value.is_finite().then_some(value)
     }
 }
@@ -100,7 +99,7 @@ impl Lobes {
                 mesh: None,
             })
             .collect();
-        let axis = axis_of(&shape, &list);
+        let axis = axis_of(&shape, &directions, &list);
         let same_axis = before.filter(|before| before.shape == shape && before.axis == axis);
         for lobe in list.iter_mut().filter(|lobe| !lobe.subject.hidden) {
             let kept = same_axis.and_then(|before| {
@@ -113,8 +112,7 @@ impl Lobes {
                 Arc::new(LobeMesh::new(
                     shape.detail,
                     (&directions, &lobe.samples),
-                    shape.channel,
-                    shape.factor(),
+                    shape.scalar(),
                     &axis,
                 ))
             }));
@@ -150,11 +148,12 @@ impl Lobes {
 }
 
 /// One axis for all that is shown.
-fn axis_of(shape: &Shape, lobes: &[Lobe]) -> Axis {
+fn axis_of(shape: &Shape, directions: &[DVec3], lobes: &[Lobe]) -> Axis {
+    let scalar = shape.scalar();
     let shown = lobes.iter().filter(|lobe| !lobe.subject.hidden);
     let values = shown
-        .flat_map(|lobe| lobe.samples.iter().flatten())
-        .map(|rgb| shape.factor() * shape.channel.of(*rgb))
+        .flat_map(|lobe| lobe.samples.iter().zip(directions))
+        .filter_map(|(f_r, wo)| f_r.map(|f_r| scalar(f_r, *wo)))
         .filter(|value| value.is_finite());
     let (mut largest, mut smallest) = (0.0_f64, f64::INFINITY);
     for value in values {

@@ -1,7 +1,7 @@
 //! The mesh of a lobe: directions laid out around the mirror direction, values there, and the surface they make.
 
 use crate::figure::scale::Axis;
-use crate::figure::subject::{Channel, Source};
+use crate::figure::subject::Source;
 use crate::geom::{Rgb, directions, mirror};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -147,12 +147,12 @@ pub struct LobeMesh {
 }
 
 impl LobeMesh {
-    /// The surface of these values at the directions of a layout of this detail on an axis, times `factor`.
+    /// The surface of these values at the directions of a layout of this detail on an axis; `scalar` says what
+    /// is shown of f_r towards a direction.
     pub fn new(
         detail: Detail,
         (directions, values): (&[DVec3], &[Option<Rgb>]),
-        channel: Channel,
-        factor: f64,
+        scalar: impl Fn(Rgb, DVec3) -> f64,
         axis: &Axis,
     ) -> Self {
         let mut mesh = Self {
@@ -160,7 +160,7 @@ impl LobeMesh {
             ..Self::default()
         };
         for (w, value) in directions.iter().zip(values) {
-            let value = value.map(|rgb| factor * channel.of(rgb));
+            let value = value.map(|f_r| scalar(f_r, *w));
             let value = value.filter(|value| value.is_finite());
             mesh.valid.push(value.is_some());
             // One that is brighter than the axis ends at its limit.

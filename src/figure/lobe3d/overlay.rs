@@ -70,7 +70,7 @@ fn title_and_legend(canvas: &mut Canvas, lobes: &Lobes) -> (Vec<LegendEntry>, f3
     let font = canvas.font;
     let (pad, line) = (0.7 * font, LINE_HEIGHT * font);
     let shape = &lobes.shape;
-    let cosine = if shape.with_cosine { " cos θ_{i}" } else { "" };
+    let cosine = shape.cosine.markup();
     let (channel, scale) = (shape.channel.name(), shape.scale.phrase());
     let degrees = (10.0 * shape.theta_i.to_degrees()).round() / 10.0;
     let start = format!("f_{{r}}{cosine} [sr^{{−1}}], {channel}, {scale}");

@@ -1,6 +1,7 @@
 //! Lobes in space on paper.
 
 use super::{Camera, Detail, Lobes, Overlay, Shape, picture};
+use crate::figure::cosine::CosineFactor;
 use crate::figure::drawing::Drawing;
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView};
 use crate::figure::scale::RadialScale;
@@ -17,8 +18,9 @@ pub struct Lobe3dSpec {
     pub theta_i: f64,
     /// Radius per f_r.
     pub scale: RadialScale,
-    /// Whether f_r is multiplied by cos θi.
-    pub with_cosine: bool,
+    /// Cosines that f_r is multiplied by.
+    #[serde(rename = "with_cosine")]
+    pub cosine: CosineFactor,
     /// What of the colours is shown.
     pub channel: Channel,
     /// Where it is seen from.
@@ -30,7 +32,7 @@ impl Default for Lobe3dSpec {
         Self {
             theta_i: 45f64.to_radians(),
             scale: RadialScale::CubeRoot,
-            with_cosine: false,
+            cosine: CosineFactor::NONE,
             channel: Channel::Luminance,
             camera: Camera::default(),
         }
@@ -50,7 +52,7 @@ impl PanelView for Lobe3dSpec {
         let shape = Shape {
             theta_i: self.theta_i,
             scale: self.scale,
-            with_cosine: self.with_cosine,
+            cosine: self.cosine,
             channel: self.channel,
             detail: Detail::Fine,
         };

@@ -1,6 +1,7 @@
 use super::*;
 use crate::brdf::fresnel::Fresnel;
 use crate::brdf::{Brdf, COMBINED, Params};
+use crate::figure::cosine::CosineFactor;
 use crate::figure::palette::Role;
 use crate::figure::scale::RadialScale;
 use crate::figure::subject::{Channel, Look, Source, Subject};
@@ -14,7 +15,7 @@ fn shape(theta_i_deg: f64) -> Shape {
     Shape {
         theta_i: theta_i_deg.to_radians(),
         scale: RadialScale::CubeRoot,
-        with_cosine: false,
+        cosine: CosineFactor::NONE,
         channel: Channel::Luminance,
         detail: Detail::Fine,
     }
@@ -106,13 +107,15 @@ fn worst_distance(shape: Shape, subject: &Subject, factor: f64) -> f64 {
         let Some(wo) = position.try_normalize() else {
             continue;
         };
-        let cosine = if shape.with_cosine {
-            shape.theta_i.cos()
-        } else {
-            1.0
-        };
         let wo = wo.with_z(wo.z.max(0.0));
         let f_r = subject.source.f_r(shape.wi(), wo).expect("a value");
+        let mut cosine = 1.0;
+        if shape.cosine.theta_i {
+            cosine *= shape.theta_i.cos();
+        }
+        if shape.cosine.theta_o {
+            cosine *= wo.z;
+        }
         let wanted = factor * cosine * shape.channel.of(f_r);
         let shown = lobes.axis.value(position.length());
         worst = worst.max((shown - wanted).abs() / wanted);
@@ -131,7 +134,11 @@ fn a_mesh_is_f_r_in_every_direction() {
                 detail,
                 scale,
                 channel,
-                with_cosine: channel == Channel::G,
+                cosine: if channel == Channel::G {
+                    CosineFactor::BOTH
+                } else {
+                    CosineFactor::NONE
+                },
                 ..shape(60.0)
             };
             let worst = worst_distance(shape, &glossy(), 1.0);

@@ -117,11 +117,7 @@ impl Plan {
 
 /// What is plotted, its unit, the channel and the scale; without the lesser words where there is no room.
 fn title(spec: &LobeSpec, room_em: f32) -> RichText {
-    let what = if spec.with_cosine {
-        "f_{r} cos θ_{i}"
-    } else {
-        "f_{r}"
-    };
+    let what = format!("f_{{r}}{}", spec.cosine.markup());
     let (channel, scale) = (spec.channel.name(), spec.scale.phrase());
     let long = RichText::parse(&format!("{what} [sr^{{−1}}], {channel}, {scale} scale"));
     if long.width_em() <= room_em {

@@ -19,7 +19,7 @@ impl PanelView for LobeSpec {
     fn shared_axis(&self) -> Option<SharedAxis> {
         Some(SharedAxis {
             scale: self.scale,
-            with_cosine: self.with_cosine,
+            cosine: self.cosine,
             channel: self.channel,
         })
     }
@@ -48,7 +48,7 @@ fn table(plot: &LobePlot, spec: &LobeSpec, subjects: &[Subject]) -> Table {
         "quantity", "channel", "curve", "kind", "theta_i", "theta_o", "value",
     ]);
     for trace in &plot.traces {
-        let head = curve_head(spec.with_cosine, spec.channel, &subjects[trace.subject]);
+        let head = curve_head(spec.cosine, spec.channel, &subjects[trace.subject]);
         for sample in &trace.samples {
             let mut row = head.to_vec();
             row.push(rounded(spec.theta_i[trace.lobe]).into());

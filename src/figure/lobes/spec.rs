@@ -1,5 +1,6 @@
 //! The settings of a lobe plot, and what it plots of a subject.
 
+use crate::figure::cosine::CosineFactor;
 use crate::figure::mark::Mark;
 use crate::figure::scale::RadialScale;
 use crate::figure::subject::{Channel, Subject};
@@ -18,8 +19,9 @@ pub struct LobeSpec {
     pub active: usize,
     /// How values become radii.
     pub scale: RadialScale,
-    /// Whether f_r is multiplied by cos θi, which gives the radiance under a light of unit strength.
-    pub with_cosine: bool,
+    /// Cosines that f_r is multiplied by.
+    #[serde(rename = "with_cosine")]
+    pub cosine: CosineFactor,
     /// What of the colours is plotted.
     pub channel: Channel,
     /// The view direction under the probe: signed θo in radians.
@@ -37,7 +39,7 @@ impl Default for LobeSpec {
             theta_i: [30.0, 60.0, 80.0].map(f64::to_radians).to_vec(),
             active: 1,
             scale: RadialScale::default(),
-            with_cosine: false,
+            cosine: CosineFactor::NONE,
             channel: Channel::default(),
             probe: None,
             limits: None,
@@ -56,7 +58,7 @@ impl LobeSpec {
     pub fn value(&self, subject: &Subject, theta_i: f64, theta_o: f64) -> Option<f64> {
         let wi = DVec3::new(-theta_i.sin(), 0.0, theta_i.cos());
         let wo = DVec3::new(theta_o.sin(), 0.0, theta_o.cos());
-        let cosine = if self.with_cosine { wi.z } else { 1.0 };
+        let cosine = self.cosine.of(wi.z, wo.z);
         let value = cosine * self.channel.of(subject.source.f_r(wi, wo)?);
         value.is_finite().then_some(value)
     }

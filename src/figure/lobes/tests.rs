@@ -1,5 +1,6 @@
 use super::frame::distance;
 use super::*;
+use crate::figure::cosine::CosineFactor;
 use crate::figure::drawing::{Item, Point};
 use crate::figure::mark::Mark;
 use crate::figure::palette::Role;
@@ -42,25 +43,31 @@ fn drawn(plot: &LobePlot) -> Vec<&Vec<Point>> {
 
 /// Farthest distance of a drawn polyline from 0.1 + cos^20 of the angle to the mirror direction, in shares of the
 /// axis, at angles all over it; with a turn put in.
-fn worst_distance(scale: RadialScale, with_cosine: bool, planted_deg: f64) -> f64 {
+fn worst_distance(scale: RadialScale, cosine: CosineFactor, planted_deg: f64) -> f64 {
     let theta_i = 50f64.to_radians();
     let spec = LobeSpec {
         theta_i: vec![theta_i],
         active: 0,
         scale,
-        with_cosine,
+        cosine,
         ..LobeSpec::default()
     };
     let plot = LobePlot::new(&spec, &[curve(closed_form)], SIZE);
     let (frame, lines) = (&plot.frame, drawn(&plot));
     assert_eq!(lines.len(), 1);
-    let factor = if with_cosine { theta_i.cos() } else { 1.0 };
     let mut worst: f64 = 0.0;
     for deg in -89..=89 {
         let theta_o = f64::from(deg).to_radians();
         let base = (theta_o - theta_i - planted_deg.to_radians())
             .cos()
             .max(0.0);
+        let mut factor = 1.0;
+        if cosine.theta_i {
+            factor *= theta_i.cos();
+        }
+        if cosine.theta_o {
+            factor *= theta_o.cos();
+        }
         let wanted = frame.point(theta_o, factor * (0.1 + base.powi(20)));
         let nearest = lines[0]
             .windows(2)
@@ -74,8 +81,12 @@ fn worst_distance(scale: RadialScale, with_cosine: bool, planted_deg: f64) -> f6
 #[test]
 fn curves_are_the_function_on_every_scale() {
     for scale in RADIAL_SCALES {
-        for with_cosine in [false, true] {
-            let worst = worst_distance(scale, with_cosine, 0.0);
+        for cosine in [
+            CosineFactor::NONE,
+            CosineFactor::THETA_I,
+            CosineFactor::BOTH,
+        ] {
+            let worst = worst_distance(scale, cosine, 0.0);
             assert!(worst < 1e-4, "{scale:?}: {worst}");
         }
     }
@@ -84,7 +95,7 @@ fn curves_are_the_function_on_every_scale() {
 #[test]
 fn a_lobe_turned_by_a_tenth_of_a_degree_is_caught() {
     for scale in RADIAL_SCALES {
-        assert!(worst_distance(scale, false, 0.1) > 5e-4);
+        assert!(worst_distance(scale, CosineFactor::NONE, 0.1) > 5e-4);
     }
 }
 

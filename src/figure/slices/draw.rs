@@ -3,6 +3,7 @@
 use super::SlicePlot;
 use super::curves::{self, ResidualTrace, SliceTrace};
 use super::spec::{Over, Residual, SliceSpec};
+use crate::figure::cosine::CosineFactor;
 use crate::figure::mark::Mark;
 use crate::figure::palette::{Ink, Role};
 use crate::figure::plot::{Outline, Panel, Pen, Plot};
@@ -135,11 +136,11 @@ fn strip(spec: &SliceSpec, residuals: &[ResidualTrace]) -> Panel {
             RadialScale::CubeRoot | RadialScale::Log => RadialScale::CubeRoot,
         };
         let limit = nice_limit(values.map(f64::abs).fold(0.0, f64::max));
-        let what = format!("(model − measured){} [sr^{{−1}}]", cosine(spec));
-        let short = if spec.with_cosine {
-            what.clone()
-        } else {
+        let what = format!("(model − measured){} [sr^{{−1}}]", spec.cosine.markup());
+        let short = if spec.cosine == CosineFactor::NONE {
             "model − measured [sr^{−1}]".into()
+        } else {
+            what
         };
         (
             Axis::between(scale, -limit, limit),
@@ -153,13 +154,9 @@ fn strip(spec: &SliceSpec, residuals: &[ResidualTrace]) -> Panel {
     }
 }
 
-fn cosine(spec: &SliceSpec) -> &'static str {
-    if spec.with_cosine { " cos θ_{i}" } else { "" }
-}
-
 /// What is plotted, its unit, where, the channel and the scale; without the lesser words where there is no room.
 fn title(spec: &SliceSpec) -> Vec<String> {
-    let what = format!("f_{{r}}{} [sr^{{−1}}]", cosine(spec));
+    let what = format!("f_{{r}}{} [sr^{{−1}}]", spec.cosine.markup());
     let degrees = |x: f64| format!("{}°", (10.0 * x.to_degrees()).round() / 10.0);
     let (theta_h, theta_d, phi_d) = (
         format!("θ_{{h}} = {}", degrees(spec.theta_h)),

@@ -21,7 +21,7 @@ impl PanelView for SliceSpec {
     fn shared_axis(&self) -> Option<SharedAxis> {
         Some(SharedAxis {
             scale: self.scale,
-            with_cosine: self.with_cosine,
+            cosine: self.cosine,
             channel: self.channel,
         })
     }
@@ -79,7 +79,7 @@ fn table(plot: &SlicePlot, spec: &SliceSpec, subjects: &[Subject]) -> Table {
         }
     };
     for trace in &plot.traces {
-        let head = curve_head(spec.with_cosine, spec.channel, &subjects[trace.subject]);
+        let head = curve_head(spec.cosine, spec.channel, &subjects[trace.subject]);
         for sample in &trace.samples {
             let mut row = head.to_vec();
             row.extend(angles(trace.slice, sample.x));
@@ -88,7 +88,7 @@ fn table(plot: &SlicePlot, spec: &SliceSpec, subjects: &[Subject]) -> Table {
         }
     }
     for trace in &plot.residuals {
-        let mut head = curve_head(spec.with_cosine, spec.channel, &subjects[trace.model]);
+        let mut head = curve_head(spec.cosine, spec.channel, &subjects[trace.model]);
         head[0] = match spec.residual {
             Residual::Ratio => "model / measured".into(),
             Residual::None | Residual::Difference => "model − measured".into(),

@@ -1,5 +1,6 @@
 //! What a slice is of: the angle that runs, those that are fixed, and how values are shown.
 
+use crate::figure::cosine::CosineFactor;
 use crate::figure::mark::Mark;
 use crate::figure::scale::RadialScale;
 use crate::figure::subject::{Channel, Subject};
@@ -132,8 +133,9 @@ pub struct SliceSpec {
     pub phi_d: f64,
     /// How values become heights.
     pub scale: RadialScale,
-    /// Whether f_r is multiplied by cos θi.
-    pub with_cosine: bool,
+    /// Cosines that f_r is multiplied by.
+    #[serde(rename = "with_cosine")]
+    pub cosine: CosineFactor,
     /// What of the colours is plotted.
     pub channel: Channel,
     /// What is shown below the curves.
@@ -158,7 +160,7 @@ impl Default for SliceSpec {
             theta_d: 45f64.to_radians(),
             phi_d: FRAC_PI_2,
             scale: RadialScale::Log,
-            with_cosine: false,
+            cosine: CosineFactor::NONE,
             channel: Channel::default(),
             residual: Residual::default(),
             window: None,
@@ -210,7 +212,7 @@ impl SliceSpec {
     /// What is plotted of `subject`, in 1/sr; `None` below the horizon and where it has no finite value.
     pub fn value(&self, subject: &Subject, slice: usize, x: f64) -> Option<f64> {
         let (wi, wo) = self.pair(slice, x);
-        let cosine = if self.with_cosine { wi.z } else { 1.0 };
+        let cosine = self.cosine.of(wi.z, wo.z);
         let value = cosine * self.channel.of(subject.source.f_r(wi, wo)?);
         value.is_finite().then_some(value)
     }

@@ -1,6 +1,7 @@
 use super::draw::grazing_regions;
 use super::*;
 use crate::brdf::{Brdf, Fresnel, Model, Params};
+use crate::figure::cosine::CosineFactor;
 use crate::figure::drawing::Item;
 use crate::figure::palette::Role;
 use crate::figure::plot::tests::subject;
@@ -52,10 +53,10 @@ fn spec(over: Over) -> SliceSpec {
 }
 
 /// Largest relative distance of the plotted numbers from the formula in half and difference angles, with a turn put in.
-fn worst(over: Over, with_cosine: bool, planted: f64) -> f64 {
+fn worst(over: Over, cosine: CosineFactor, planted: f64) -> f64 {
     let brdf = brdf("combined", 30.0);
     let spec = SliceSpec {
-        with_cosine,
+        cosine,
         channel: Channel::G,
         ..spec(over)
     };
@@ -99,11 +100,13 @@ fn worst(over: Over, with_cosine: bool, planted: f64) -> f64 {
             assert!(cosines.cos_theta_i.min(cosines.cos_theta_o) < 1e-9, "{x}");
             continue;
         };
-        let factor = if with_cosine {
-            cosines.cos_theta_i
-        } else {
-            1.0
-        };
+        let mut factor = 1.0;
+        if cosine.theta_i {
+            factor *= cosines.cos_theta_i;
+        }
+        if cosine.theta_o {
+            factor *= cosines.cos_theta_o;
+        }
         let wanted = factor * brdf.eval(&cosines)[1];
         count += 1;
         worst = worst.max((value - wanted).abs() / (wanted.abs() + 1e-6));
@@ -115,8 +118,12 @@ fn worst(over: Over, with_cosine: bool, planted: f64) -> f64 {
 #[test]
 fn slices_are_the_formula_over_every_angle() {
     for over in OVERS {
-        for with_cosine in [false, true] {
-            let worst = worst(over, with_cosine, 0.0);
+        for cosine in [
+            CosineFactor::NONE,
+            CosineFactor::THETA_I,
+            CosineFactor::BOTH,
+        ] {
+            let worst = worst(over, cosine, 0.0);
             assert!(worst < 1e-6, "{over:?}: {worst}");
         }
     }
@@ -125,7 +132,7 @@ fn slices_are_the_formula_over_every_angle() {
 #[test]
 fn a_slice_at_another_angle_is_caught() {
     for over in OVERS {
-        assert!(worst(over, false, 1e-3) > 1e-4, "{over:?}");
+        assert!(worst(over, CosineFactor::NONE, 1e-3) > 1e-4, "{over:?}");
     }
 }
 
@@ -202,7 +209,7 @@ fn zoomed_in_there_is_a_sample_per_point() {
 fn residual_values(residual: Residual) -> Vec<(usize, usize, f64)> {
     let spec = SliceSpec {
         residual,
-        with_cosine: true,
+        cosine: CosineFactor::THETA_I,
         theta_i: vec![0.0],
         ..SliceSpec::default()
     };

@@ -76,11 +76,8 @@ fn toolbar_ui(ui: &mut egui::Ui, view: &ImageSettings, out: &mut Vec<Msg>) {
         if let Some(channel) = controls::channel_ui(ui, view.channel) {
             out.push(set(view, |view| view.channel = channel));
         }
-        let mut with_cosine = view.with_cosine;
-        let hint = "Multiply by the cosine of the angle of incidence";
-        let response = ui.checkbox(&mut with_cosine, "× cos θi");
-        if response.on_hover_text(hint).changed() {
-            out.push(set(view, |view| view.with_cosine = with_cosine));
+        if let Some(cosine) = controls::cosine_ui(ui, view.cosine) {
+            out.push(set(view, |view| view.cosine = cosine));
         }
     });
 }

@@ -40,7 +40,7 @@ pub fn lobe3d_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
     let shape = Shape {
         theta_i,
         scale: view.scale,
-        with_cosine: view.with_cosine,
+        cosine: view.cosine,
         channel: view.channel,
         detail: Detail::of([rect.width(), rect.height()], view.camera.zoom),
     };
@@ -113,8 +113,9 @@ fn toolbar_ui(ui: &mut egui::Ui, view: &Lobe3dSettings, probed: Option<f64>, out
         if let Some(channel) = controls::channel_ui(ui, view.channel) {
             changed.channel = channel;
         }
-        ui.checkbox(&mut changed.with_cosine, "× cos θi")
-            .on_hover_text("Multiply f_r by cos θi");
+        if let Some(cosine) = controls::cosine_ui(ui, view.cosine) {
+            changed.cosine = cosine;
+        }
     });
     if changed != *view {
         out.push(Msg::set_view(changed));

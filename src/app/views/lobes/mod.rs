@@ -85,14 +85,11 @@ fn toolbar_ui(ui: &mut egui::Ui, tile: &LobeSettings, out: &mut Vec<Msg>) {
                 ..tile.clone()
             }));
         }
-        let mut with_cosine = tile.with_cosine;
-        let hint = Command::ToggleCosine.hint(ui.ctx());
-        if ui
-            .checkbox(&mut with_cosine, "× cos θi")
-            .on_hover_text(hint)
-            .changed()
-        {
-            out.push(Msg::Run(Command::ToggleCosine));
+        if let Some(cosine) = controls::cosine_ui(ui, tile.cosine) {
+            out.push(Msg::set_view(LobeSettings {
+                cosine,
+                ..tile.clone()
+            }));
         }
     });
 }

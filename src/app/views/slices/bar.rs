@@ -113,6 +113,7 @@ fn shown_ui(ui: &mut egui::Ui, spec: &mut SliceSpec) {
     if let Some(channel) = sized_choice_ui(ui, "Channel", spec.channel, &channels, 80.0) {
         spec.channel = channel;
     }
-    ui.checkbox(&mut spec.with_cosine, "× cos θi")
-        .on_hover_text("Multiply by the cosine of the angle of incidence");
+    if let Some(cosine) = controls::cosine_ui(ui, spec.cosine) {
+        spec.cosine = cosine;
+    }
 }

@@ -1,6 +1,7 @@
 //! Places in the picture, texts, odd specs.
 
 use super::*;
+use crate::figure::cosine::CosineFactor;
 use crate::figure::mark::Mark;
 use crate::figure::plot::tests::{SIZES, clashes, strays};
 use crate::figure::scale::RADIAL_SCALES;
@@ -28,17 +29,17 @@ fn no_text_covers_another_in_any_size() {
     for size in SIZES {
         for over in OVERS {
             for scale in RADIAL_SCALES {
-                for (residual, with_cosine) in [
-                    (Residual::None, false),
-                    (Residual::Ratio, false),
-                    (Residual::Difference, true),
+                for (residual, cosine) in [
+                    (Residual::None, CosineFactor::NONE),
+                    (Residual::Ratio, CosineFactor::BOTH),
+                    (Residual::Difference, CosineFactor::THETA_I),
                 ] {
                     let spec = SliceSpec {
                         theta_i: [10.0, 45.0, 80.0].map(f64::to_radians).to_vec(),
                         active: 1,
                         scale,
                         residual,
-                        with_cosine,
+                        cosine,
                         probe: Some(Mark {
                             at: 0.4,
                             exact: true,
