@@ -56,9 +56,9 @@ mod tests {
     use super::*;
     use crate::brdf::Fresnel;
     use crate::brdf::fresnel::FRESNELS;
-    use crate::figure::image_slice::{SHOWN, Shown};
     use crate::figure::page::{INKS, Inks, SAME_AXES, SameAxes};
     use crate::figure::scale::RADIAL_SCALES;
+    use crate::figure::shown::{SHOWN, Shown};
     use crate::figure::slices::{OVERS, Over, RESIDUALS, Residual};
     use crate::figure::subject::CHANNELS;
     use crate::figure::{Channel, RadialScale, ViewSpec};

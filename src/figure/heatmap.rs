@@ -4,6 +4,7 @@
 //! Field (edges, cells) + HeatSpec (axes, colours, view, marks) ── HeatMap::new ──▶ Drawing and HeatFrame
 //! ```
 
+mod bar;
 mod colors;
 mod draw;
 mod frame;
@@ -12,8 +13,12 @@ mod layout;
 mod raster;
 mod side;
 
+pub use bar::{ColorBar, draw_key, key_width_em};
 pub use colors::ColorScale;
 pub use frame::{HeatFrame, View};
+pub use hatch::hatch;
+pub use layout::fitting_title;
+pub use raster::image;
 pub use side::{Law, Side};
 
 use super::drawing::Drawing;
@@ -81,7 +86,7 @@ impl Field {
     }
 
     /// All values.
-    pub fn values(&self) -> impl Iterator<Item = f64> {
+    pub fn values(&self) -> impl Iterator<Item = f64> + Clone {
         self.cells.iter().filter_map(|cell| cell.value())
     }
 }

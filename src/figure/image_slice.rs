@@ -8,59 +8,14 @@ mod panel;
 use super::cosine::CosineFactor;
 use super::heatmap::{Cell, ColorScale, Curve, CurveKind, Field, HeatSpec, Law, Side, Spot, View};
 use super::mark::Mark;
-use super::scale::{Axis, RadialScale, nice_limit};
+use super::scale::RadialScale;
+use super::shown::{Shown, ValueRange};
 use super::subject::{Channel, Source};
 use crate::geom::limits::{UNRELIABLE_THETA, UNRELIABLE_THETA_DEG};
 use crate::geom::{HalfDiff, Rgb, degrees};
-use crate::keys;
 use crate::measured::Grid;
 use crate::measured::grid::{THETA_D_BINS, THETA_H_BINS};
 use serde::{Deserialize, Serialize};
-
-/// What of a material is shown.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Shown {
-    /// The data.
-    #[default]
-    Measured,
-    /// The model, wherever light and view are above the horizon.
-    Model,
-    /// Model − measured.
-    Residual,
-    /// Model over measured.
-    Ratio,
-}
-
-/// All of them in the order offered.
-pub const SHOWN: [Shown; 4] = [Shown::Measured, Shown::Model, Shown::Residual, Shown::Ratio];
-
-impl Shown {
-    /// Name in files and on the command line.
-    pub fn key(self) -> &'static str {
-        keys::key_at::<Self>(self as usize)
-    }
-
-    /// Name on screen.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Measured => "Measured",
-            Self::Model => "Model",
-            Self::Residual => "Residual",
-            Self::Ratio => "Ratio",
-        }
-    }
-
-    /// What it says in a title.
-    fn phrase(self) -> &'static str {
-        match self {
-            Self::Measured => "measured",
-            Self::Model => "model",
-            Self::Residual => "model − measured",
-            Self::Ratio => "model / measured",
-        }
-    }
-}
 
 /// What an image slice shows.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -142,17 +97,7 @@ impl ImageSpec {
             let value = cosine * self.channel.of(f_r(source?, angles)?);
             value.is_finite().then_some(value)
         };
-        let value = match self.shown {
-            Shown::Measured => of(measured),
-            Shown::Model => of(model),
-            Shown::Residual => of(measured)
-                .zip(of(model))
-                .map(|(data, model)| model - data),
-            Shown::Ratio => of(measured)
-                .zip(of(model))
-                .filter(|(data, _)| *data > 0.0)
-                .map(|(data, model)| model / data),
-        };
+        let value = self.shown.value(|| of(measured), || of(model));
         value.map_or(Cell::Missing, Cell::Value)
     }
 
@@ -170,16 +115,11 @@ impl ImageSpec {
     /// model have the same colours.
     pub fn heat_spec(&self, name: &str, field: &Field, reference: &Field) -> HeatSpec {
         let what = format!("f_{{r}}{}", self.cosine.markup());
-        let (channel, scale) = (self.channel.name(), self.scale.phrase());
+        let channel = self.channel.name();
         // A ratio has no unit.
         let unit = match self.shown {
             Shown::Measured | Shown::Model | Shown::Residual => " [sr^{−1}]",
             Shown::Ratio => "",
-        };
-        let bar_title = match self.shown {
-            Shown::Measured | Shown::Model => format!("{what}{unit}, {channel}, {scale}"),
-            Shown::Residual => format!("Δ{what}{unit}, {channel}, {scale}"),
-            Shown::Ratio => format!("ratio of {what}, {channel}, log"),
         };
         let degrees = (10.0 * self.phi_d.to_degrees()).round() / 10.0;
         let phrase = self.shown.phrase();
@@ -206,7 +146,7 @@ impl ImageSpec {
             y: Side::angle("θ_{d}", Law::Linear),
             view: self.view,
             colors: self.colors(field, reference),
-            bar_title,
+            bar_title: self.shown.bar_title(self.cosine, self.channel, self.scale),
             missing: "not measured",
             smooth: false,
             square: false,
@@ -221,37 +161,10 @@ impl ImageSpec {
     }
 
     fn colors(&self, field: &Field, reference: &Field) -> ColorScale {
-        match self.shown {
-            Shown::Measured | Shown::Model => {
-                if let Some([low, high]) = self.limits {
-                    return ColorScale::Amount(Axis::between(self.scale, low, high));
-                }
-                let limit = nice_limit(reference.values().fold(0.0, f64::max));
-                let positive = reference.values().filter(|value| *value > 0.0);
-                ColorScale::Amount(Axis::new(
-                    self.scale,
-                    limit,
-                    positive.min_by(f64::total_cmp),
-                ))
-            }
-            Shown::Residual => {
-                let limit = nice_limit(field.values().map(f64::abs).fold(0.0, f64::max));
-                // Four decades on each side.
-                ColorScale::Signed(Axis::new(self.scale, limit, Some(1e-4 * limit)))
-            }
-            Shown::Ratio => {
-                let mut logs: Vec<f64> = field
-                    .values()
-                    .map(|ratio| ratio.ln().abs())
-                    .filter(|log| log.is_finite())
-                    .collect();
-                logs.sort_by(f64::total_cmp);
-                // Nearly all of them: a few at the horizon would leave the others grey.
-                let most = logs.get(logs.len() * 98 / 100).copied().unwrap_or(0.0);
-                let octaves = (most / std::f64::consts::LN_2).ceil().clamp(1.0, 10.0);
-                ColorScale::Ratio(octaves.exp2())
-            }
-        }
+        let limits = self.limits.filter(|_| self.shown.is_amount());
+        let range = |field: &Field| ValueRange::of(self.shown, field.values());
+        let [values, reference] = [field, reference].map(range);
+        self.shown.colors(self.scale, limits, &values, &reference)
     }
 
     /// Where the more grazing one of light and view is at an angle, in degrees of (θh, θd):

@@ -10,7 +10,7 @@ use grazing::app::state::views::ViewId;
 use grazing::app::views::image::settings::ImageSettings;
 use grazing::app::views::slices::settings::SliceSettings;
 use grazing::figure::heatmap::{HeatFrame, HeatMap};
-use grazing::figure::image_slice::Shown;
+use grazing::figure::shown::Shown;
 use grazing::figure::subject::Source;
 use grazing::geom::HalfDiff;
 

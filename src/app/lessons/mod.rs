@@ -8,6 +8,7 @@ pub mod rows;
 use crate::app::lessons::rows::LESSONS;
 use crate::app::state::State;
 use crate::app::state::lesson::LessonAt;
+use crate::app::state::view_settings::AnySettings;
 use crate::app::state::views::ViewId;
 use crate::app::views::sphere::settings::Show;
 use crate::brdf::{Fresnel, ParamId};
@@ -36,7 +37,7 @@ pub struct Step {
 }
 
 /// A thing that a step sets.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub enum Set {
     /// Show this synthetic material, by its key; the first thing a lesson does.
     Sample(&'static str),
@@ -54,6 +55,8 @@ pub enum Set {
     Lights(usize),
     /// What the sphere shows.
     Sphere(Show),
+    /// Set a view to these settings.
+    View(fn() -> AnySettings),
     /// Bring a tile to the front.
     Tile(ViewId),
     /// Which stages the next fit runs, and whether it begins at the sliders.

@@ -110,6 +110,7 @@ fn perform_one(state: &mut State, set: Set) -> Vec<Task> {
         Set::Sphere(show) => edit(state, |scene| {
             scene.views.get_mut::<SphereSettings>().show = show;
         }),
+        Set::View(settings) => edit(state, |scene| scene.views.set(settings())),
         Set::Tile(pane) => state.tiles.show(pane),
         Set::Stages(stages, from_sliders) => {
             state.fit.settings = Settings {

@@ -22,6 +22,7 @@ pub mod sanitize;
 pub mod session;
 pub mod settings_map;
 pub mod shared_table;
+pub mod sources;
 pub mod subject_key;
 pub mod subjects;
 pub mod values;

@@ -1,17 +1,15 @@
 //! The order in which a heat map is drawn: cells, hatching, lines, frame, colour bar, marks.
 
+use super::bar::{draw_key, rectangle};
 use super::layout::{Plan, TICK};
 use super::{Cell, Curve, CurveKind, Field, HeatFrame, HeatSpec, Spot, hatch, raster};
-use crate::figure::drawing::{Anchor, Drawing, Item, LINE_HEIGHT, Label, Picture, Point};
+use crate::figure::drawing::{Anchor, Drawing, Item, LINE_HEIGHT, Label, Point};
 use crate::figure::mark::Mark;
+use crate::figure::over_colors::{self, DARK, LIGHT};
 use crate::figure::palette::{Ink, Role};
 use crate::figure::placing::Placing;
 use crate::figure::text::RichText;
 use std::f32::consts::FRAC_PI_2;
-
-/// What stands over colours: light with a dark rim, to be seen on all of them.
-const LIGHT: Role = Role::Fixed([255, 255, 255]);
-const DARK: Role = Role::Fixed([16, 16, 20]);
 
 pub(super) fn draw(spec: &HeatSpec, field: &Field, plan: &Plan, size: [f32; 2]) -> Drawing {
     let mut drawing = Drawing::new(size);
@@ -29,9 +27,15 @@ pub(super) fn draw(spec: &HeatSpec, field: &Field, plan: &Plan, size: [f32; 2]) 
         name_line(&mut drawing, &mut placing, curve, plan);
     }
     axes(&mut drawing, spec, plan);
-    bar(&mut drawing, spec, plan);
+    let ([_, top], [right, bottom]) = (frame.min, frame.max);
+    plan.bar.draw(
+        &mut drawing,
+        &spec.colors,
+        &spec.bar_title,
+        [[right, top], [right, bottom]],
+    );
     if let Some(at) = plan.key {
-        key(&mut drawing, spec, plan, at);
+        draw_key(&mut drawing, spec.missing, at, plan.font);
     }
     for spot in &spec.spots {
         mark(&mut drawing, *spot, frame);
@@ -48,10 +52,6 @@ pub(super) fn draw(spec: &HeatSpec, field: &Field, plan: &Plan, size: [f32; 2]) 
         drawing.items.push(Item::Text(label));
     }
     drawing
-}
-
-fn rectangle([a, b]: [Point; 2]) -> Vec<Point> {
-    vec![a, [b[0], a[1]], b, [a[0], b[1]], a]
 }
 
 fn axes(drawing: &mut Drawing, spec: &HeatSpec, plan: &Plan) {
@@ -112,77 +112,7 @@ fn axes(drawing: &mut Drawing, spec: &HeatSpec, plan: &Plan) {
     drawing.items.extend(texts.into_iter().map(Item::Text));
 }
 
-/// Steps of the colour bar.
-const BAR_STEPS: usize = 256;
-
-fn bar(drawing: &mut Drawing, spec: &HeatSpec, plan: &Plan) {
-    let [[_, top], [right, bottom]] = plan.bar;
-    let font = plan.font;
-    let map = spec.colors.map();
-    let rgba: Vec<u8> = (0..BAR_STEPS)
-        .rev()
-        .flat_map(|k| {
-            let [r, g, b] = map.color(k as f64 / (BAR_STEPS - 1) as f64);
-            [r, g, b, 255]
-        })
-        .collect();
-    drawing.items.push(Item::Image(Picture {
-        min: plan.bar[0],
-        max: plan.bar[1],
-        width: 1,
-        height: BAR_STEPS,
-        rgba: rgba.into(),
-        smooth: true,
-    }));
-    let ink = Ink::from(Role::Muted).faded(0.8);
-    drawing.line(rectangle(plan.bar), 1.0, ink);
-    for tick in &plan.bar_ticks {
-        let y = bottom - (bottom - top) * tick.position as f32;
-        drawing.line(vec![[right, y], [right + 3.0, y]], 1.0, ink);
-        let at = [right + 0.5 * font, y];
-        let label = Label::new(tick.label.clone(), at, Anchor::LEFT, font, Role::Muted);
-        drawing.items.push(Item::Text(label));
-    }
-    if plan.bar_title {
-        let at = [
-            plan.bar_end + 0.6 * LINE_HEIGHT * font,
-            0.5 * (top + bottom),
-        ];
-        let name = RichText::parse(&spec.bar_title);
-        let mut label = Label::new(name, at, Anchor::CENTER, font, Role::Foreground);
-        label.angle = -FRAC_PI_2;
-        drawing.items.push(Item::Text(label));
-    }
-}
-
-/// A small hatched box and what it means.
-fn key(drawing: &mut Drawing, spec: &HeatSpec, plan: &Plan, at: Point) {
-    let font = plan.font;
-    let (width, half) = (1.4 * font, 0.4 * font);
-    let corners = [[at[0], at[1] - half], [at[0] + width, at[1] + half]];
-    let ink = Ink::from(Role::Muted).faded(0.9);
-    for k in 1..4 {
-        let x = at[0] + width * k as f32 / 4.0;
-        let lean = half.min(0.25 * width);
-        drawing.line(
-            vec![[x - lean, at[1] + half], [x + lean, at[1] - half]],
-            1.0,
-            ink,
-        );
-    }
-    drawing.line(rectangle(corners), 1.0, ink);
-    let name = RichText::literal(spec.missing);
-    let label = Label::new(
-        name,
-        [at[0] + width + 0.4 * font, at[1]],
-        Anchor::LEFT,
-        font,
-        Role::Muted,
-    );
-    drawing.items.push(Item::Text(label));
-}
-
-/// A line in light over a dark rim, cut at the frame.
+/// A curve, cut at the frame.
 fn line_over(drawing: &mut Drawing, curve: &Curve, frame: &HeatFrame) {
     let (width, dash, opacity) = match curve.kind {
         CurveKind::Limit => (1.0, Some([5.0, 4.0]), 0.9),
@@ -190,9 +120,7 @@ fn line_over(drawing: &mut Drawing, curve: &Curve, frame: &HeatFrame) {
         CurveKind::Path => (2.0, None, 1.0),
     };
     for run in runs(curve, frame) {
-        let rim = Ink::from(DARK).faded(0.45 * opacity);
-        drawing.line(run.clone(), width + 1.6, rim);
-        drawing.dashed_line(run, width, dash, Ink::from(LIGHT).faded(opacity));
+        over_colors::line(drawing, run, width, dash, opacity);
     }
 }
 
@@ -282,22 +210,7 @@ fn mark(drawing: &mut Drawing, spot: Spot, frame: &HeatFrame) {
         return;
     }
     let mut ring = |radius: f32, filled: bool, middle: Role| {
-        drawing.items.push(Item::Dot {
-            center,
-            radius,
-            ink: Ink::from(if filled { middle } else { DARK }).faded(if filled {
-                1.0
-            } else {
-                0.25
-            }),
-            outline: Some((3.0, Ink::from(DARK).faded(0.8))),
-        });
-        drawing.items.push(Item::Dot {
-            center,
-            radius,
-            ink: Ink::from(middle).faded(f32::from(filled)),
-            outline: Some((1.4, LIGHT.into())),
-        });
+        over_colors::ring(drawing, center, radius, filled, middle);
     };
     match spot {
         Spot::Probe(mark) => ring(4.0, mark.exact, LIGHT),

@@ -10,7 +10,7 @@ const SPACING: f32 = 5.0;
 const SHORTEST: f32 = 0.7;
 
 /// Hatches the missing cells in sight.
-pub(super) fn hatch(drawing: &mut Drawing, field: &Field, frame: &HeatFrame, ink: Ink) {
+pub fn hatch(drawing: &mut Drawing, field: &Field, frame: &HeatFrame, ink: Ink) {
     if !field.cells.contains(&Cell::Missing) {
         return;
     }

@@ -1,5 +1,6 @@
 //! How a heat map divides its rectangle: title, axes and colour bar around the cells.
 
+use super::bar::{ColorBar, key_width_em};
 use super::{Cell, Field, HeatFrame, HeatSpec};
 use crate::figure::drawing::{LINE_HEIGHT, Point, font_size};
 use crate::figure::scale::Tick;
@@ -16,14 +17,8 @@ pub(super) struct Plan {
     pub title: (RichText, Point),
     /// Where the cells are.
     pub frame: HeatFrame,
-    /// Upper left and lower right corner of the colour bar.
-    pub bar: [Point; 2],
-    /// Along the bar.
-    pub bar_ticks: Vec<Tick>,
-    /// Right end of the labels beside the bar.
-    pub bar_end: f32,
-    /// Whether there is room for the name of the bar.
-    pub bar_title: bool,
+    /// Right of the cells.
+    pub bar: ColorBar,
     /// Along the cells.
     pub x_ticks: Vec<Tick>,
     /// Likewise, upwards.
@@ -45,14 +40,9 @@ impl Plan {
             ticks.iter().map(width).fold(0.0, f32::max)
         };
         let y_ticks = spec.y.ticks(spec.view.y, f64::from(2.7 * font / tall));
-        let bar_count = ((tall / (2.6 * font)) as usize).clamp(2, 9);
-        let bar_ticks = spec.colors.ticks(bar_count);
+        let bar = ColorBar::new(&spec.colors, width, tall, font);
         let left = pad + line + widest(&y_ticks) + TICK + 0.4 * font;
-        let bar_width = 1.1 * font;
-        let labels = widest(&bar_ticks) + 0.5 * font;
-        let bar_title = width >= 230.0 && tall >= 5.0 * font;
-        let named = if bar_title { 1.1 * line } else { 0.0 };
-        let right = font + bar_width + labels + named + 0.5 * pad;
+        let right = bar.width() + 0.5 * pad;
         let wide = (width - left - right).max(8.0);
 
         let (wide, tall, aside) = if spec.square {
@@ -72,20 +62,9 @@ impl Plan {
         };
         let x_gap = 1.6 * font + 0.4 * font * f32::from(spec.x.degrees);
         let x_ticks = spec.x.ticks(spec.view.x, f64::from(x_gap / wide));
-        let bar_left = max[0] + font;
-        let bar = [[bar_left, min[1]], [bar_left + bar_width, max[1]]];
         let room = (width - min[0] - pad) / font;
-        let titles: Vec<RichText> = spec
-            .title
-            .iter()
-            .map(|text| RichText::parse(text))
-            .collect();
-        let fits = titles.iter().find(|title| title.width_em() <= room);
-        let title = fits.cloned().unwrap_or_else(|| {
-            let last = titles.last().map(RichText::plain).unwrap_or_default();
-            elided(&last, room)
-        });
-        let key_width = font * (RichText::literal(spec.missing).width_em() + 1.8);
+        let title = fitting_title(&spec.title, room);
+        let key_width = font * key_width_em(spec.missing);
         let x_title = font * RichText::parse(&spec.x.title).width_em();
         let has_missing = field.cells.contains(&Cell::Missing);
         let free = 0.5 * (wide - x_title) - font;
@@ -96,12 +75,20 @@ impl Plan {
             title: (title, [min[0], min[1] - 0.5 * pad - 0.5 * line]),
             frame,
             bar,
-            bar_end: bar[1][0] + labels,
-            bar_ticks,
-            bar_title,
             x_ticks,
             y_ticks,
             key,
         }
     }
+}
+
+/// The first of some titles that is not wider than `room_em` font sizes; the last one cut, where none is.
+pub fn fitting_title(titles: &[String], room_em: f32) -> RichText {
+    let mut parsed = titles.iter().map(|text| RichText::parse(text));
+    parsed
+        .find(|title| title.width_em() <= room_em)
+        .unwrap_or_else(|| {
+            let last = titles.last().map(|text| RichText::parse(text).plain());
+            elided(&last.unwrap_or_default(), room_em)
+        })
 }

@@ -1,8 +1,9 @@
 //! The image slice on paper.
 
-use super::{ImageSpec, Shown};
+use super::ImageSpec;
 use crate::figure::heatmap::{Cell, ColorScale, Field as Cells, HeatMap};
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
+use crate::figure::shown::Shown;
 use crate::figure::table::Table;
 use crate::geom::degrees::rounded;
 
@@ -12,8 +13,7 @@ impl PanelView for ImageSpec {
     }
 
     fn shared_axis(&self) -> Option<SharedAxis> {
-        let amount = matches!(self.shown, Shown::Measured | Shown::Model);
-        amount.then_some(SharedAxis {
+        self.shown.is_amount().then_some(SharedAxis {
             scale: self.scale,
             cosine: self.cosine,
             channel: self.channel,
@@ -54,11 +54,7 @@ fn table(spec: &ImageSpec, cells: &Cells) -> Table {
     let mut table = Table::new(&[
         "quantity", "channel", "theta_h", "theta_d", "phi_d", "value",
     ]);
-    let what = match spec.shown {
-        Shown::Measured | Shown::Model => spec.cosine.quantity(),
-        Shown::Residual => "model − measured",
-        Shown::Ratio => "model / measured",
-    };
+    let what = spec.shown.quantity(spec.cosine);
     for row in 0..cells.rows() {
         for column in 0..cells.columns() {
             let cell = cells.cell(column, row);

@@ -1,6 +1,7 @@
 use super::*;
 use crate::brdf::{Brdf, COMBINED, Fresnel, Params};
 use crate::figure::cosine::CosineFactor;
+use crate::figure::shown::SHOWN;
 use crate::measured::Table;
 use crate::measured::lookup::Lookup;
 use std::sync::Arc;

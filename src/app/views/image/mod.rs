@@ -7,6 +7,7 @@ pub mod settings;
 use crate::app::msg::Msg;
 use crate::app::state::State;
 use crate::app::state::probe::Probe;
+use crate::app::state::sources::Sources;
 use crate::app::views::image::settings::{ImageSettings, with_probe};
 use crate::app::views::slices::settings::SliceSettings;
 use crate::app::widgets::formula::number;
@@ -14,9 +15,9 @@ use crate::app::widgets::heat::{OnScreen, heat_ui};
 use crate::app::widgets::paint::plain;
 use crate::app::widgets::{controls, probe};
 use crate::figure::heatmap::{Cell, Field};
-use crate::figure::image_slice::{ImageSpec, SHOWN, Shown};
+use crate::figure::image_slice::ImageSpec;
 use crate::figure::scale::RADIAL_SCALES;
-use crate::figure::subject::Source;
+use crate::figure::shown::{SHOWN, Shown};
 use crate::geom::HalfDiff;
 use std::sync::Arc;
 
@@ -47,7 +48,7 @@ fn toolbar_ui(ui: &mut egui::Ui, view: &ImageSettings, out: &mut Vec<Msg>) {
     ui.horizontal_wrapped(|ui| {
         for shown in SHOWN {
             let response = ui.selectable_label(view.shown == shown, shown.name());
-            if response.on_hover_text(help(shown)).clicked() {
+            if response.on_hover_text(shown.help()).clicked() {
                 out.push(set(view, |view| view.shown = shown));
             }
         }
@@ -80,43 +81,6 @@ fn toolbar_ui(ui: &mut egui::Ui, view: &ImageSettings, out: &mut Vec<Msg>) {
             out.push(set(view, |view| view.cosine = cosine));
         }
     });
-}
-
-fn help(shown: Shown) -> &'static str {
-    match shown {
-        Shown::Measured => "The data, cell by cell",
-        Shown::Model => "The model, with the colours of the data",
-        Shown::Residual => "Model − measured: blue where the model is too dark",
-        Shown::Ratio => "Model / measured: blue where the model is too dark",
-    }
-}
-
-/// Data and model of the shown material.
-#[derive(Clone, PartialEq)]
-struct Sources {
-    measured: Option<Source>,
-    model: Option<Source>,
-}
-
-impl Sources {
-    fn of(state: &State) -> Self {
-        let Some((material, opened)) = state.current() else {
-            return Self {
-                measured: None,
-                model: None,
-            };
-        };
-        let lookup = state.scene.lookup;
-        let has_data = material.table.valid_count() > 0;
-        Self {
-            measured: has_data.then(|| Source::Measured(material.table.clone(), lookup)),
-            model: Some(Source::Model(opened.brdf)),
-        }
-    }
-
-    fn cell(&self, spec: &ImageSpec, angles: HalfDiff) -> Cell {
-        spec.cell(self.measured.as_ref(), self.model.as_ref(), angles)
-    }
 }
 
 /// The cells that are shown, and those that the colours are made for.
@@ -213,7 +177,7 @@ fn tooltip(on_screen: &OnScreen, spec: &ImageSpec, sources: &Sources, at: HalfDi
             shown,
             ..spec.clone()
         };
-        sources.cell(&spec, cell)
+        spec.cell(sources.measured.as_ref(), sources.model.as_ref(), cell)
     };
     on_screen.response.clone().on_hover_ui_at_pointer(|ui| {
         let (h, d) = (at.theta_h.to_degrees(), at.theta_d.to_degrees());
