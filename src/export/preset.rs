@@ -1,6 +1,8 @@
 //! Figures by name: what a paper on reflection shows, from files alone.
 
-use super::spec::{FigureSpec, SubjectLook, SubjectSource, SubjectSpec};
+mod builder;
+
+use super::spec::{FigureSpec, SubjectSource};
 use crate::brdf::{Brdf, Fresnel, MODELS, Model};
 use crate::figure::ViewSpec;
 use crate::figure::albedo::AlbedoSpec;
@@ -8,15 +10,14 @@ use crate::figure::error_map::ErrorMapSpec;
 use crate::figure::image_slice::ImageSpec;
 use crate::figure::landscape::LandscapePanel;
 use crate::figure::lobe3d::Lobe3dSpec;
-use crate::figure::lobes::LobeSpec;
-use crate::figure::page::{COLUMNS, PageSpec, PanelSpec, RowSpec, SameAxes, Style};
+use crate::figure::page::{COLUMNS, PageSpec, RowSpec, SameAxes, Style};
 use crate::figure::scale::RadialScale;
-use crate::figure::scatter::ScatterSpec;
 use crate::figure::shown::Shown;
 use crate::figure::slices::{Residual, SliceSpec};
 use crate::figure::sphere_image::{SphereShow, SphereSpec};
 use crate::fit::Variant;
 use crate::geom::sphere::SphereView;
+use builder::Builder;
 
 /// A figure by name.
 #[derive(Debug)]
@@ -99,7 +100,18 @@ pub static PRESETS: [Preset; 10] = [
         by_material: false,
         width_mm: COLUMNS[1].1,
         same_axes: SameAxes::Row,
-        rows: |b| b.image_slices(),
+        rows: |b| {
+            b.compared(
+                [Shown::Measured, Shown::Model, Shown::Residual],
+                |b, shown| {
+                    ViewSpec::ImageSlice(ImageSpec {
+                        shown,
+                        scale: b.options.scale.unwrap_or(RadialScale::Log),
+                        ..ImageSpec::default()
+                    })
+                },
+            )
+        },
     },
     Preset {
         key: "albedo",
@@ -119,9 +131,8 @@ pub static PRESETS: [Preset; 10] = [
         same_axes: SameAxes::Figure,
         rows: |b| {
             b.grid(1, |b, _| {
-                let theta_i = b.options.theta_i.get(b.options.theta_i.len() / 2);
                 ViewSpec::Lobe3d(Lobe3dSpec {
-                    theta_i: theta_i.copied().unwrap_or(Lobe3dSpec::default().theta_i),
+                    theta_i: b.middle_theta_i(Lobe3dSpec::default().theta_i),
                     scale: b.options.scale.unwrap_or(RadialScale::CubeRoot),
                     ..Lobe3dSpec::default()
                 })
@@ -227,166 +238,5 @@ impl Preset {
             style: options.style.clone(),
         };
         FigureSpec::new(builder.subjects(), page)
-    }
-}
-
-struct Builder<'a> {
-    materials: &'a [PresetMaterial],
-    options: &'a Options,
-    preset: &'a Preset,
-}
-
-impl Builder<'_> {
-    /// Each material's data, then its models.
-    fn subjects(&self) -> Vec<SubjectSpec> {
-        let (all_models, alone) = (self.preset.all_models, self.materials.len() == 1);
-        let mut subjects = Vec::new();
-        for (index, material) in self.materials.iter().enumerate() {
-            // Where each panel has one material, all have the same colours and one legend.
-            let series = if all_models { 0 } else { index };
-            subjects.push(SubjectSpec {
-                label: if all_models && !alone {
-                    "measured".into()
-                } else {
-                    material.name.clone()
-                },
-                look: None,
-                series,
-                source: material.source.clone(),
-            });
-            for brdf in &material.models {
-                let model = brdf.model.name;
-                subjects.push(SubjectSpec {
-                    label: if self.preset.by_material {
-                        material.name.clone()
-                    } else if all_models || alone {
-                        model.into()
-                    } else {
-                        format!("{}, {model}", material.name)
-                    },
-                    look: Some(SubjectLook::Model),
-                    series: if all_models {
-                        1 + brdf.model.index()
-                    } else {
-                        series
-                    },
-                    source: SubjectSource::Model(*brdf),
-                });
-            }
-        }
-        subjects
-    }
-
-    /// Position of a material's data among the subjects; its models follow.
-    fn first(&self, material: usize) -> usize {
-        let before = &self.materials[..material];
-        before.iter().map(|m| 1 + m.models.len()).sum()
-    }
-
-    /// A panel per material, `columns` in a row.
-    fn grid(
-        &self,
-        columns: usize,
-        view: impl Fn(&Self, &PresetMaterial) -> ViewSpec,
-    ) -> Vec<RowSpec> {
-        let panels: Vec<PanelSpec> = self
-            .materials
-            .iter()
-            .enumerate()
-            .map(|(index, material)| PanelSpec {
-                heading: (self.materials.len() > 1).then(|| material.name.clone()),
-                subjects: (self.first(index)..=self.first(index) + material.models.len()).collect(),
-                view: view(self, material),
-            })
-            .collect();
-        let row = |panels: &[PanelSpec]| RowSpec {
-            panels: panels.to_vec(),
-            ..RowSpec::default()
-        };
-        panels.chunks(columns).map(row).collect()
-    }
-
-    fn lobes(&self) -> LobeSpec {
-        LobeSpec {
-            theta_i: self.options.theta_i.clone(),
-            active: 0,
-            scale: self.options.scale.unwrap_or(RadialScale::CubeRoot),
-            ..LobeSpec::default()
-        }
-    }
-
-    /// As in the poster: what was measured and the models beside each other, spheres over lobes.
-    fn poster(&self) -> Vec<RowSpec> {
-        let mut rows = Vec::new();
-        for (index, material) in self.materials.iter().enumerate() {
-            let data = self.first(index);
-            let sphere = |show, subject: usize, heading: &str| PanelSpec {
-                heading: (index == 0).then(|| heading.to_string()),
-                subjects: vec![subject],
-                view: ViewSpec::Sphere(SphereSpec {
-                    view: self.options.view.clone(),
-                    show,
-                    ..SphereSpec::default()
-                }),
-            };
-            let lobes = |subjects: Vec<usize>| PanelSpec {
-                heading: None,
-                subjects,
-                view: ViewSpec::Lobes(self.lobes()),
-            };
-            let models = material.models.iter().enumerate();
-            let models: Vec<(usize, &Brdf)> =
-                models.map(|(k, brdf)| (data + 1 + k, brdf)).collect();
-            let mut spheres = vec![sphere(SphereShow::Measured, data, "Measured")];
-            let mut plots = vec![lobes(vec![data])];
-            for (at, brdf) in models {
-                spheres.push(sphere(SphereShow::Model, at, brdf.model.name));
-                plots.push(lobes(vec![data, at]));
-            }
-            rows.push(RowSpec {
-                name: Some(material.name.clone()),
-                panels: spheres,
-                ..RowSpec::default()
-            });
-            rows.push(RowSpec {
-                panels: plots,
-                ..RowSpec::default()
-            });
-        }
-        rows
-    }
-
-    fn image_slices(&self) -> Vec<RowSpec> {
-        let shown = [Shown::Measured, Shown::Model, Shown::Residual];
-        let of = |index: usize| {
-            let data = self.first(index);
-            RowSpec {
-                panels: shown
-                    .map(|shown| PanelSpec {
-                        heading: None,
-                        subjects: vec![data, data + 1],
-                        view: ViewSpec::ImageSlice(ImageSpec {
-                            shown,
-                            scale: self.options.scale.unwrap_or(RadialScale::Log),
-                            ..ImageSpec::default()
-                        }),
-                    })
-                    .to_vec(),
-                ..RowSpec::default()
-            }
-        };
-        (0..self.materials.len()).map(of).collect()
-    }
-
-    fn scatter(&self) -> Vec<RowSpec> {
-        let models = (0..self.materials.len()).map(|index| self.first(index) + 1);
-        vec![RowSpec {
-            panels: vec![PanelSpec {
-                heading: None,
-                subjects: models.collect(),
-                view: ViewSpec::Scatter(ScatterSpec::default()),
-            }],
-            ..RowSpec::default()
-        }]
     }
 }

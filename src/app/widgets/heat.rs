@@ -16,7 +16,7 @@ pub struct OnScreen {
 /// How many points of the wheel make something e times larger.
 const WHEEL: f64 = 240.0;
 /// How much an old picture keeps of its colours while the next one is made.
-const DIMMED: f32 = 0.45;
+pub const DIMMED: f32 = 0.45;
 
 /// Draws a heat map into what is left of the tile.
 pub fn heat_ui(

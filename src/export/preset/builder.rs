@@ -1,0 +1,179 @@
+//! The rows of a preset's page, from materials and options.
+
+use super::{Options, Preset, PresetMaterial};
+use crate::brdf::Brdf;
+use crate::export::spec::{SubjectLook, SubjectSource, SubjectSpec};
+use crate::figure::ViewSpec;
+use crate::figure::lobes::LobeSpec;
+use crate::figure::page::{PanelSpec, RowSpec};
+use crate::figure::scale::RadialScale;
+use crate::figure::scatter::ScatterSpec;
+use crate::figure::shown::Shown;
+use crate::figure::sphere_image::{SphereShow, SphereSpec};
+
+/// A preset with what it is made for.
+pub(super) struct Builder<'a> {
+    pub materials: &'a [PresetMaterial],
+    pub options: &'a Options,
+    pub preset: &'a Preset,
+}
+
+impl Builder<'_> {
+    /// Each material's data, then its models.
+    pub fn subjects(&self) -> Vec<SubjectSpec> {
+        let (all_models, alone) = (self.preset.all_models, self.materials.len() == 1);
+        let mut subjects = Vec::new();
+        for (index, material) in self.materials.iter().enumerate() {
+            // Where each panel has one material, all have the same colours and one legend.
+            let series = if all_models { 0 } else { index };
+            subjects.push(SubjectSpec {
+                label: if all_models && !alone {
+                    "measured".into()
+                } else {
+                    material.name.clone()
+                },
+                look: None,
+                series,
+                source: material.source.clone(),
+            });
+            for brdf in &material.models {
+                let model = brdf.model.name;
+                subjects.push(SubjectSpec {
+                    label: if self.preset.by_material {
+                        material.name.clone()
+                    } else if all_models || alone {
+                        model.into()
+                    } else {
+                        format!("{}, {model}", material.name)
+                    },
+                    look: Some(SubjectLook::Model),
+                    series: if all_models {
+                        1 + brdf.model.index()
+                    } else {
+                        series
+                    },
+                    source: SubjectSource::Model(*brdf),
+                });
+            }
+        }
+        subjects
+    }
+
+    /// Position of a material's data among the subjects; its models follow.
+    fn first(&self, material: usize) -> usize {
+        let before = &self.materials[..material];
+        before.iter().map(|m| 1 + m.models.len()).sum()
+    }
+
+    /// A panel per material, `columns` in a row.
+    pub fn grid(
+        &self,
+        columns: usize,
+        view: impl Fn(&Self, &PresetMaterial) -> ViewSpec,
+    ) -> Vec<RowSpec> {
+        let panels: Vec<PanelSpec> = self
+            .materials
+            .iter()
+            .enumerate()
+            .map(|(index, material)| PanelSpec {
+                heading: (self.materials.len() > 1).then(|| material.name.clone()),
+                subjects: (self.first(index)..=self.first(index) + material.models.len()).collect(),
+                view: view(self, material),
+            })
+            .collect();
+        let row = |panels: &[PanelSpec]| RowSpec {
+            panels: panels.to_vec(),
+            ..RowSpec::default()
+        };
+        panels.chunks(columns).map(row).collect()
+    }
+
+    pub fn lobes(&self) -> LobeSpec {
+        LobeSpec {
+            theta_i: self.options.theta_i.clone(),
+            active: 0,
+            scale: self.options.scale.unwrap_or(RadialScale::CubeRoot),
+            ..LobeSpec::default()
+        }
+    }
+
+    /// As in the poster: what was measured and the models beside each other, spheres over lobes.
+    pub fn poster(&self) -> Vec<RowSpec> {
+        let mut rows = Vec::new();
+        for (index, material) in self.materials.iter().enumerate() {
+            let data = self.first(index);
+            let sphere = |show, subject: usize, heading: &str| PanelSpec {
+                heading: (index == 0).then(|| heading.to_string()),
+                subjects: vec![subject],
+                view: ViewSpec::Sphere(SphereSpec {
+                    view: self.options.view.clone(),
+                    show,
+                    ..SphereSpec::default()
+                }),
+            };
+            let lobes = |subjects: Vec<usize>| PanelSpec {
+                heading: None,
+                subjects,
+                view: ViewSpec::Lobes(self.lobes()),
+            };
+            let models = material.models.iter().enumerate();
+            let models: Vec<(usize, &Brdf)> =
+                models.map(|(k, brdf)| (data + 1 + k, brdf)).collect();
+            let mut spheres = vec![sphere(SphereShow::Measured, data, "Measured")];
+            let mut plots = vec![lobes(vec![data])];
+            for (at, brdf) in models {
+                spheres.push(sphere(SphereShow::Model, at, brdf.model.name));
+                plots.push(lobes(vec![data, at]));
+            }
+            rows.push(RowSpec {
+                name: Some(material.name.clone()),
+                panels: spheres,
+                ..RowSpec::default()
+            });
+            rows.push(RowSpec {
+                panels: plots,
+                ..RowSpec::default()
+            });
+        }
+        rows
+    }
+
+    /// The angle of incidence of views that show one; `default` where none is chosen.
+    pub fn middle_theta_i(&self, default: f64) -> f64 {
+        let all = &self.options.theta_i;
+        all.get(all.len() / 2).copied().unwrap_or(default)
+    }
+
+    /// A row per material, with a panel for each way to show data and model.
+    pub fn compared<const N: usize>(
+        &self,
+        shown: [Shown; N],
+        view: impl Fn(&Self, Shown) -> ViewSpec,
+    ) -> Vec<RowSpec> {
+        let row = |index: usize| {
+            let data = self.first(index);
+            let panel = |shown| PanelSpec {
+                heading: None,
+                subjects: vec![data, data + 1],
+                view: view(self, shown),
+            };
+            RowSpec {
+                panels: shown.map(panel).to_vec(),
+                ..RowSpec::default()
+            }
+        };
+        (0..self.materials.len()).map(row).collect()
+    }
+
+    pub fn scatter(&self) -> Vec<RowSpec> {
+        let models = (0..self.materials.len()).map(|index| self.first(index) + 1);
+        vec![RowSpec {
+            panels: vec![PanelSpec {
+                heading: None,
+                subjects: models.collect(),
+                view: ViewSpec::Scatter(ScatterSpec::default()),
+            }],
+            ..RowSpec::default()
+        }]
+    }
+}
