@@ -6,6 +6,7 @@ use super::spec::{FigureSpec, SubjectSource};
 use crate::brdf::{Brdf, Fresnel, MODELS, Model};
 use crate::figure::ViewSpec;
 use crate::figure::albedo::AlbedoSpec;
+use crate::figure::disc::DiscSpec;
 use crate::figure::error_map::ErrorMapSpec;
 use crate::figure::image_slice::ImageSpec;
 use crate::figure::landscape::LandscapePanel;
@@ -38,7 +39,7 @@ pub struct Preset {
 }
 
 /// All of them in the order offered.
-pub static PRESETS: [Preset; 10] = [
+pub static PRESETS: [Preset; 11] = [
     Preset {
         key: "poster",
         help: "Each material measured and as all three models: spheres under a glancing and a grazing light, with polar lobes below",
@@ -135,6 +136,24 @@ pub static PRESETS: [Preset; 10] = [
                     theta_i: b.middle_theta_i(Lobe3dSpec::default().theta_i),
                     scale: b.options.scale.unwrap_or(RadialScale::CubeRoot),
                     ..Lobe3dSpec::default()
+                })
+            })
+        },
+    },
+    Preset {
+        key: "disc",
+        help: "f_r over all view directions under one light, seen from above: data, model, and model / measured",
+        all_models: false,
+        by_material: false,
+        width_mm: COLUMNS[1].1,
+        same_axes: SameAxes::Row,
+        rows: |b| {
+            b.compared([Shown::Measured, Shown::Model, Shown::Ratio], |b, shown| {
+                ViewSpec::Disc(DiscSpec {
+                    shown,
+                    theta_i: b.middle_theta_i(DiscSpec::default().theta_i),
+                    scale: b.options.scale.unwrap_or(RadialScale::Log),
+                    ..DiscSpec::default()
                 })
             })
         },

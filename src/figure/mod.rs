@@ -7,6 +7,7 @@ pub mod albedo;
 pub mod colormap;
 pub mod contour;
 pub mod cosine;
+pub mod disc;
 pub mod drawing;
 pub mod error_map;
 pub mod fit_output;
@@ -49,6 +50,7 @@ pub use subject::{Channel, Look, Source, Subject};
 pub use text::RichText;
 
 use albedo::AlbedoSpec;
+use disc::DiscSpec;
 use error_map::ErrorMapSpec;
 use image_slice::ImageSpec;
 use landscape::LandscapePanel;
@@ -70,6 +72,8 @@ view_list::view_list! {
     Albedo(AlbedoSpec),
     /// Lobes in space.
     Lobe3d(Lobe3dSpec),
+    /// f_r over all view directions under one light.
+    Disc(DiscSpec),
     /// Shares of E over directions.
     ErrorMap(ErrorMapSpec),
     /// Least E over s and α.

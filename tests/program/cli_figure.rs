@@ -4,6 +4,7 @@
 
 use crate::common::folder::Folder;
 use crate::common::program::{failed, grazing, stderr, succeeded};
+use grazing::export::preset::PRESETS;
 use resvg::usvg;
 use serde_json::Value;
 use std::fs;
@@ -78,12 +79,14 @@ fn every_preset_is_a_pdf_that_other_programs_read() {
         ("lobes", vec!["lacquer", "Combined", "ωi", "cube root"]),
         ("slices", vec!["θo [°]", "model / measured", "log10"]),
         ("image-slice", vec!["θh", "θd", "90°", "model − measured"]),
+        ("disc", vec!["θi = 60°", "θo = 30°", "model / measured"]),
         ("albedo", vec!["albedo", "θi", "measured share"]),
         ("lobe3d", vec!["fr [sr−1]", "θi = 60°"]),
         ("error-map", vec!["E =", "θo"]),
         ("landscape", vec!["α (0 Phong, 1 Blinn-Phong)", "η = 1.5"]),
         ("scatter", vec!["lacquer", "Blinn-Phong", "α over s"]),
     ];
+    assert_eq!(cases.len(), PRESETS.len());
     for (preset, words) in cases {
         let pdf = folder.path(format!("{preset}.pdf"));
         let said = figure(&fits, &pdf, &format!("--preset {preset} --dpi 60"));

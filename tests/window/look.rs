@@ -7,6 +7,7 @@ use grazing::app::msg::Msg;
 use grazing::app::state::prefs::Theme;
 use grazing::app::state::probe::Probe;
 use grazing::app::views::albedo::work::{MeasuredAlbedo, ModelAlbedo};
+use grazing::app::views::disc::work::DiscQuery;
 use grazing::app::views::error_map::work::ErrorMapQuery;
 use grazing::app::views::landscape::work::LandscapeQuery;
 use grazing::app::views::sphere::settings::{Show, SphereSettings};
@@ -76,6 +77,7 @@ fn every_view(theme: Theme, name: &str) {
         let caches = &state.caches;
         caches.last::<MeasuredAlbedo>().is_some()
             && caches.last::<ModelAlbedo>().is_some()
+            && caches.last::<DiscQuery>().is_some()
             && caches.last::<ErrorMapQuery>().is_some()
             && caches.last::<LandscapeQuery>().is_some()
             && caches.progress::<LandscapeQuery>().is_none()

@@ -14,6 +14,7 @@ mod common {
 }
 
 mod albedo;
+mod disc;
 mod error_map;
 mod export;
 mod figure;

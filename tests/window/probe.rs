@@ -9,6 +9,7 @@ use grazing::app::msg::Msg;
 use grazing::app::msg::cache::stop;
 use grazing::app::state::probe::Probe;
 use grazing::app::views::albedo::work::{MeasuredAlbedo, ModelAlbedo};
+use grazing::app::views::disc::work::DiscQuery;
 use grazing::app::views::error_map::work::ErrorMapQuery;
 use grazing::app::views::landscape::work::LandscapeQuery;
 use image::RgbaImage;
@@ -16,13 +17,14 @@ use std::collections::HashMap;
 use std::time::Duration;
 
 /// The views that have directions in them, by the names of their pictures.
-const VIEWS: [&str; 7] = [
+const VIEWS: [&str; 8] = [
     "Sphere",
     "Polar lobes",
     "Slices",
     "Albedo",
     "3D lobe",
     "Image slice",
+    "Disc",
     "Error map",
 ];
 /// Those that have none.
@@ -31,7 +33,7 @@ const OTHERS: [&str; 2] = ["Error landscape", "Scatter"];
 /// A window with every tile in sight and nothing under way, one light on the sphere.
 fn opened() -> Window {
     let mut window = window(vec![], vec![]);
-    window.set_size(egui::vec2(1700.0, 1100.0));
+    window.set_size(egui::vec2(1900.0, 1300.0));
     window.state_mut().tiles_side_by_side();
     // They would take a while, and the probe is marked without them.
     window.run_steps(2);
@@ -41,6 +43,7 @@ fn opened() -> Window {
     settle(&mut window, |state| {
         let caches = &state.caches;
         caches.last::<ErrorMapQuery>().is_some()
+            && caches.last::<DiscQuery>().is_some()
             && caches.last::<ModelAlbedo>().is_some()
             && caches.progress::<MeasuredAlbedo>().is_none()
             && caches.progress::<LandscapeQuery>().is_none()
@@ -146,22 +149,31 @@ fn a_mark_is_where_its_angles_are() {
     let wanted = probe.angles().expect("angles");
     let theta_h = |probe: Probe| probe.angles().expect("angles").theta_h;
     let theta_d = |probe: Probe| probe.angles().expect("angles").theta_d;
-    // Lines and crosses go through the mark; of the one dot on the sphere both are in its middle within a pixel or two.
+    // Lines and crosses go through the mark; a dot alone is around it.
     let (theta_i, theta_o) = (probe.theta_i(), probe.signed_theta_o());
     type Angle<'a> = &'a dyn Fn(Probe) -> f64;
-    let cases: [(&str, Angle, f64, f64); 7] = [
+    let cases: [(&str, Angle, f64, f64); 8] = [
         ("Sphere", &theta_h, wanted.theta_h, 2.0),
         ("Slices", &Probe::signed_theta_o, theta_o, 0.8),
         ("Albedo", &Probe::theta_i, theta_i, 0.8),
         ("Image slice", &theta_h, wanted.theta_h, 0.8),
         ("Image slice", &theta_d, wanted.theta_d, 0.8),
+        ("Disc", &Probe::signed_theta_o, theta_o, 3.0),
         ("Error map", &Probe::theta_i, theta_i, 1.5),
         ("Error map", &Probe::signed_theta_o, theta_o, 1.5),
     ];
     for (view, of, wanted, within_deg) in cases {
         let places = changed(&window, view, &blank, &marked);
-        let column = mode(places.iter().map(|at| at.x));
-        let row = mode(places.iter().map(|at| at.y));
+        let along = |at: fn(&Pos2) -> f32| {
+            let all = || places.iter().map(at);
+            match view {
+                "Sphere" | "Disc" => {
+                    0.5 * (all().fold(f32::MAX, f32::min) + all().fold(f32::MIN, f32::max))
+                }
+                _ => mode(all()),
+            }
+        };
+        let (column, row) = (along(|at| at.x), along(|at| at.y));
         let mut off = |shift: f32| -> f64 {
             window.hover_at(egui::pos2(column + shift, row - shift));
             window.run_steps(2);

@@ -15,5 +15,6 @@ pub enum ViewId {
     Albedo,
     Lobe3d,
     Image,
+    Disc,
     ErrorMap,
 }

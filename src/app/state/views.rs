@@ -24,5 +24,6 @@ pub const VIEWS: &[About] = &[
     crate::app::views::albedo::about::ABOUT,
     crate::app::views::lobe3d::about::ABOUT,
     crate::app::views::image::about::ABOUT,
+    crate::app::views::disc::about::ABOUT,
     crate::app::views::error_map::about::ABOUT,
 ];

@@ -2,6 +2,7 @@
 //! background; and the table of their functions.
 
 pub mod albedo;
+pub mod disc;
 pub mod error_map;
 pub mod fits;
 pub mod image;
@@ -74,6 +75,11 @@ pub const ROWS: &[ViewRow] = &[
         id: ViewId::Image,
         ui: image::image_ui,
         paper: Some(image::paper::ON_PAPER),
+    },
+    ViewRow {
+        id: ViewId::Disc,
+        ui: disc::disc_ui,
+        paper: Some(disc::paper::ON_PAPER),
     },
     ViewRow {
         id: ViewId::ErrorMap,

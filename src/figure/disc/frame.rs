@@ -1,0 +1,69 @@
+//! Where directions are in a disc.
+
+use super::projection::Projection;
+use crate::figure::drawing::Point;
+use crate::figure::heatmap::{HeatFrame, Law, Side, View};
+use glam::DVec3;
+
+/// The disc in a drawing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DiscFrame {
+    /// Its middle, in points.
+    pub center: Point,
+    /// Its radius in points: the horizon.
+    pub radius: f32,
+    /// How θo becomes a distance from the middle.
+    pub projection: Projection,
+}
+
+impl DiscFrame {
+    /// The point at a place in units of the radius, x to the right and y upwards.
+    pub fn at(&self, [x, y]: [f64; 2]) -> Point {
+        [
+            self.center[0] + self.radius * x as f32,
+            self.center[1] - self.radius * y as f32,
+        ]
+    }
+
+    /// The place of a point, in units of the radius.
+    pub fn place(&self, point: Point) -> [f64; 2] {
+        [
+            f64::from(point[0] - self.center[0]) / f64::from(self.radius),
+            f64::from(self.center[1] - point[1]) / f64::from(self.radius),
+        ]
+    }
+
+    /// The point of a direction.
+    pub fn point(&self, w: DVec3) -> Point {
+        self.at(self.projection.place(w))
+    }
+
+    /// The direction at a point; `None` outside the disc.
+    pub fn direction(&self, point: Point) -> Option<DVec3> {
+        self.projection.direction(self.place(point))
+    }
+
+    /// Side in cells of a picture of the disc with `density` pixels per point: a multiple of 64, so that it stays while a
+    /// tile is dragged larger, and not more than anybody waits for.
+    pub fn side(&self, density: f32, most: usize) -> usize {
+        let wanted = (2.0 * self.radius * density).max(1.0) as usize;
+        wanted.next_multiple_of(64).min(most)
+    }
+
+    /// The square around the disc, as its cells are drawn.
+    pub(super) fn square(&self) -> HeatFrame {
+        let side = || Side {
+            title: String::new(),
+            law: Law::Linear,
+            range: (-1.0, 1.0),
+            degrees: false,
+        };
+        HeatFrame {
+            min: self.at([-1.0, 1.0]),
+            max: self.at([1.0, -1.0]),
+            x: side(),
+            y: side(),
+            view: View::default(),
+        }
+    }
+}
