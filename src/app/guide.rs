@@ -48,8 +48,9 @@ macro_rules! pictures {
 }
 
 /// The pictures of the gallery as PNG, by the name of their file.
-static PICTURES: [(&str, &[u8]); 10] = pictures![
+static PICTURES: [(&str, &[u8]); 11] = pictures![
     "albedo.png",
+    "disc.png",
     "error-map.png",
     "image-slice.png",
     "landscape.png",

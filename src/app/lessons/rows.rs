@@ -1,10 +1,13 @@
 //! The lessons themselves.
 
 use crate::app::lessons::{Lesson, LookAt, Set, Step};
+use crate::app::state::view_settings::AnySettings;
 use crate::app::state::views::ViewId;
+use crate::app::views::disc::settings::DiscSettings;
 use crate::app::views::sphere::settings::Show;
 use crate::brdf::{Fresnel, ParamId};
 use crate::figure::RadialScale;
+use crate::figure::shown::Shown;
 
 /// All lessons in the order of the menu.
 pub const LESSONS: [Lesson; 4] = [
@@ -54,10 +57,31 @@ pub const LESSONS: [Lesson; 4] = [
                 look_at: LookAt::Tile(ViewId::Sphere),
             },
             Step {
+                text: "Seen from above, over all view directions under light at 70°: Phong's highlight is round about \
+                       ω_{r}. Switch to Blinn-Phong: it is as long in the plane of incidence, but narrower across, by \
+                       cos θ_{i}. That is what condenses it on the sphere.",
+                set: &[
+                    Set::Lights(0),
+                    Set::View(|| {
+                        AnySettings::new(DiscSettings {
+                            shown: Shown::Model,
+                            theta_i: 70f64.to_radians(),
+                            scale: RadialScale::Linear,
+                            ..DiscSettings::default()
+                        })
+                    }),
+                    Set::Tile(ViewId::Disc),
+                ],
+                look_at: LookAt::Tile(ViewId::Disc),
+            },
+            Step {
                 text: "The same in numbers: in the plane of incidence at 80° Phong keeps its shape and only turns, until \
                        the horizon cuts it off. Blinn-Phong grows towards the horizon. Try both models and drag the handle \
                        of the light.",
-                set: &[Set::Angles(&[30.0, 60.0, 80.0], 2), Set::Lights(0)],
+                set: &[
+                    Set::Angles(&[30.0, 60.0, 80.0], 2),
+                    Set::Tile(ViewId::Lobes),
+                ],
                 look_at: LookAt::Tile(ViewId::Lobes),
             },
         ],
