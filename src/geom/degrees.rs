@@ -1,4 +1,4 @@
-//! Angles in files: degrees there, radians here. For `#[serde(with = "degrees")]`.
+//! Serde adapter for angles: degrees in files, radians in memory. For `#[serde(with = "degrees")]`.
 //!
 //! Degrees are rounded to 10⁻⁹, so that 30° is written as 30 and read back as the radians of 30°. What is read from a
 //! file is written back the same.
@@ -6,15 +6,15 @@
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::ops::RangeInclusive;
 
-/// Degrees from radians, as files have them.
+/// Degrees from radians, rounded to 10⁻⁹ as in files.
 pub fn rounded(radians: f64) -> f64 {
     (radians.to_degrees() * 1e9).round() / 1e9
 }
 
-/// Writes radians as degrees.
+/// Serializes angles in radians as degrees.
 ///
 /// # Errors
-/// Those of the writer.
+/// Errors of the serializer.
 pub fn serialize<T: Angles + Serialize, S: Serializer>(
     radians: &T,
     serializer: S,
@@ -22,10 +22,10 @@ pub fn serialize<T: Angles + Serialize, S: Serializer>(
     radians.each(&rounded).serialize(serializer)
 }
 
-/// Reads degrees as radians.
+/// Deserializes angles in degrees as radians.
 ///
 /// # Errors
-/// Those of the reader, and for angles that are not finite or of more than ten turns.
+/// Errors of the deserializer; angles that are not finite or outside of −3600° to 3600°.
 pub fn deserialize<'de, T: Angles + Deserialize<'de>, D: Deserializer<'de>>(
     deserializer: D,
 ) -> Result<T, D::Error> {
@@ -45,12 +45,12 @@ pub fn deserialize<'de, T: Angles + Deserialize<'de>, D: Deserializer<'de>>(
     }
 }
 
-/// One angle or several.
+/// A value that holds angles: one, a pair, a list, or none.
 pub trait Angles: Sized {
-    /// The same with every angle changed.
+    /// A copy with `change` applied to every angle.
     fn each(&self, change: &impl Fn(f64) -> f64) -> Self;
 
-    /// Looks at every angle.
+    /// Calls `look` with every angle in turn.
     fn visit(&self, look: &mut impl FnMut(f64));
 }
 
