@@ -1,4 +1,4 @@
-//! A synthetic measurement: a recipe on the MERL grid, with noise and with gaps at the horizon.
+//! Synthetic measurement of a sample material on the MERL grid, with noise and with gaps at the horizon.
 
 use super::Sample;
 use super::surface::ground;
@@ -7,16 +7,16 @@ use crate::measured::{Grid, Table};
 
 /// Relative standard deviation of the noise that the channels share, well above the horizon.
 const NOISE: f64 = 0.025;
-/// The same of each channel's own noise.
+/// Relative standard deviation of each channel's own noise, well above the horizon.
 const CHANNEL_NOISE: f64 = 0.008;
-/// At the horizon the noise is this many times larger.
+/// Factor on the noise at the horizon.
 const NOISE_AT_HORIZON: f64 = 4.0;
-/// Cosines are not taken below this: cells that the horizon cuts through have finite values.
+/// Smallest cosine at which f_r is evaluated: cells that the horizon cuts through have finite values.
 const SMALLEST_COSINE: f64 = 0.02;
-/// The gap begins where the smaller cosine is below this, give or take [`RAGGED`]. The validity of the MERL files
-/// begins 3.5° below the horizon; 21 % of their cells are invalid.
+/// Smaller cosine below which cells are gaps, give or take [`RAGGED`]. The validity of the MERL files begins 3.5° below
+/// the horizon; 21 % of their cells are invalid.
 const GAP: f64 = -0.061;
-/// How ragged the edge of the gap is: some cells above the horizon are lost.
+/// Largest deviation of the gap's edge, as a cosine, by row and again by cell: some cells above the horizon are lost.
 const RAGGED: f64 = 0.045;
 
 pub fn measure(sample: &Sample) -> Table {
@@ -63,7 +63,7 @@ pub fn measure(sample: &Sample) -> Table {
     Table::new(grid, cells)
 }
 
-/// f_r before it is measured.
+/// f_r in 1/sr before noise, linear RGB.
 fn exact(sample: &Sample, lobes: &[Rgb], cos_theta_i: f64, cos_theta_o: f64) -> Rgb {
     let ground = ground(sample.coat, cos_theta_i, cos_theta_o);
     let mut f_r = sample.albedo.map(|albedo| albedo * ground);
@@ -76,11 +76,11 @@ fn exact(sample: &Sample, lobes: &[Rgb], cos_theta_i: f64, cos_theta_o: f64) -> 
     f_r
 }
 
-/// What chance adds to one cell.
+/// Random numbers of one cell.
 struct Noise {
     shared: f64,
     own: Rgb,
-    /// In [−1, 1].
+    /// Deviation of the gap's edge in units of [`RAGGED`], in [−1, 1].
     edge: f64,
 }
 
@@ -95,7 +95,7 @@ impl Noise {
         }
     }
 
-    /// Multiplies, so that nothing becomes negative: both parts are bounded.
+    /// f_r with noise. The noise multiplies and is bounded, so that nothing becomes negative.
     fn spoil(&self, f_r: Rgb, lower_cosine: f64) -> [f32; 3] {
         let grazing = (1.0 - lower_cosine).powi(8);
         let amount = 1.0 + (NOISE_AT_HORIZON - 1.0) * grazing;
@@ -106,7 +106,7 @@ impl Noise {
     }
 }
 
-/// A number that looks like chance: SplitMix64 [Steele14] at a place in its sequence.
+/// Pseudo-random bits: SplitMix64 [Steele14] at a position of its sequence.
 fn hash(seed: u64, place: u64) -> u64 {
     const STEP: u64 = 0x9e37_79b9_7f4a_7c15;
     let mut x = seed
@@ -117,12 +117,12 @@ fn hash(seed: u64, place: u64) -> u64 {
     x ^ (x >> 31)
 }
 
-/// The upper 16 bits as a number in [−1, 1].
+/// Upper 16 bits as a number in [−1, 1].
 fn signed(bits: u64) -> f64 {
     (bits >> 48) as f64 / 32_767.5 - 1.0
 }
 
-/// Nearly a standard normal, within ±3.5: the sum of four even ones.
+/// Approximately standard normal number, within ±3.5: the sum of four uniform ones.
 fn bell(bits: u64) -> f64 {
     let sum: f64 = (0..4).map(|k| signed(bits << (16 * k))).sum();
     sum * 0.75_f64.sqrt()

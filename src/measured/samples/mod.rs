@@ -1,7 +1,7 @@
-//! Synthetic materials in the form of measured ones, so that there is something to see without a file.
+//! Synthetic materials in the form of measured ones, for use without a file.
 //!
-//! Each is made by richer physics than the models that are fitted to it: see [`surface`]. Then it is spoilt as a
-//! measurement is: with noise, and with gaps at the horizon. All are deterministic.
+//! Each is made by richer physics than the models that are fitted to it: see [`surface`]. Then noise and gaps at the
+//! horizon are added, as a measurement has them. They are deterministic.
 
 mod measure;
 mod surface;
@@ -10,26 +10,26 @@ use super::table::Table;
 use crate::geom::Rgb;
 use surface::{GOLD, Interface, Lobe, Slopes, dielectric};
 
-/// A recipe for a synthetic material. The name says that it is synthetic.
+/// Recipe of a synthetic material.
 #[derive(Debug)]
 pub struct Sample {
-    /// Name in files and on the command line.
+    /// Name in files and on the command line, e.g. "copper-glaze".
     pub key: &'static str,
-    /// Name on screen.
+    /// Display name, which ends in "(synthetic)".
     pub name: &'static str,
-    /// What it shows, in one sentence.
+    /// Description in one sentence.
     pub about: &'static str,
-    /// Albedo of what lies below the interface.
+    /// Albedo of the diffuse ground below the interface, linear RGB.
     albedo: Rgb,
-    /// What light crosses to get there.
+    /// Interface above the diffuse ground.
     coat: Interface,
-    /// What scatters at the surface, with its share.
+    /// Surface lobes, each with its share.
     lobes: &'static [(f64, Lobe)],
-    /// Makes the noise its own.
+    /// Seed of the noise.
     seed: u64,
 }
 
-/// All samples; the window starts with the first.
+/// All synthetic materials; the window starts with the first.
 pub static SAMPLES: [Sample; 5] = [
     Sample {
         key: "copper-glaze",
@@ -118,12 +118,12 @@ pub static SAMPLES: [Sample; 5] = [
 ];
 
 impl Sample {
-    /// The sample whose `key` this is.
+    /// The material with this `key`.
     pub fn by_key(key: &str) -> Option<&'static Self> {
         SAMPLES.iter().find(|sample| sample.key == key)
     }
 
-    /// The material as a measurement would give it, on the folded grid. The same every time.
+    /// Table of the material on the folded grid, with noise and gaps; deterministic.
     pub fn synthesize(&self) -> Table {
         measure::measure(self)
     }

@@ -69,7 +69,7 @@ fn no_sample_reflects_more_than_it_gets() {
     }
 }
 
-/// The poster's observations: which α of the combined model fits best.
+/// Checks the poster's observations: which α of the combined model fits best.
 #[test]
 fn the_samples_are_phong_like_blinn_phong_like_and_between() {
     for (key, expected) in [
@@ -103,7 +103,8 @@ fn best(fits: &[(f64, f64)], wanted: impl Fn(f64) -> bool) -> (f64, f64) {
         .expect("some fits")
 }
 
-/// (error, α) of the combined model with exact Fresnel factor on a coarse grid of s, α and η, for the green channel of some of the cells.
+/// (error, α) of the combined model with exact Fresnel factor on a coarse grid of s, α and η, for the green channel of
+/// a sample of the cells.
 fn fits(table: &Table) -> Vec<(f64, f64)> {
     let picked: Vec<(Cosines, f64, f64)> = (0..table.cells().len())
         .filter(|index| {
