@@ -1,4 +1,4 @@
-//! A first guess of the parameters, read off the data: where the sliders stand when a material opens.
+//! Initial guess of the parameters from the data: the sliders' values when a material opens.
 
 use crate::brdf::{Brdf, COMBINED, Fresnel, Params};
 use crate::geom::{Cosines, Rgb};
@@ -6,26 +6,27 @@ use crate::measured::Table;
 use crate::measured::grid::{THETA_D_BINS, THETA_H_BINS};
 use std::f64::consts::PI;
 
-/// Every how many bins of θ_d and φ_d a cell is looked at; θ_h, where the highlight is, is taken whole.
+/// Steps in bins of θ_d and φ_d between the cells that are sampled; θ_h, along which the highlight varies, is taken
+/// whole.
 const STRIDE: (usize, usize) = (5, 15);
-/// The candidates for s: this many from 0.3 to 30,000, evenly in the logarithm.
+/// Number of candidates for s, from 0.3 to 30,000, evenly in the logarithm.
 const EXPONENTS: usize = 21;
 const ALPHAS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 const ETAS: [f64; 3] = [1.2, 1.5, 2.5];
 
-/// A cell with its weight: the solid angle times both cosines, and f_r.
+/// Sampled cell: its f_r and its weight, the solid angle times both cosines.
 struct Sample {
     cosines: Cosines,
     weight: f64,
-    /// The weight over f_r.
+    /// Weight divided by f_r, per channel.
     relative: Rgb,
     f_r: Rgb,
 }
 
-/// The combined model with exact Fresnel that comes nearest on a coarse grid of (s, α, η) and a few thousand cells.
+/// Combined model with exact Fresnel factor that fits best on a coarse grid of (s, α, η) and a few thousand cells.
 ///
 /// For each candidate ρ_d and k_s are the least-squares solution with weights w/f, which stands in for L1 as both
-/// measure an error in proportion to the value. A guess, made in a fraction of a second; no fit.
+/// measure an error in proportion to the value. It takes a fraction of a second and is no fit.
 pub fn from_table(table: &Table) -> Brdf {
     let samples = samples(table);
     let mut best = Brdf {

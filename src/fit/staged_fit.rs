@@ -1,4 +1,4 @@
-//! The stages, one after the other.
+//! The staged fit [Nielsen14] and the joint stage after it.
 
 mod descents;
 
@@ -18,38 +18,38 @@ use crate::brdf::{Brdf, Params, albedo};
 use descents::Refinement;
 use std::ops::ControlFlow;
 
-/// A candidate as it is given out, with its E over all cells.
+/// A candidate with its parameters as they are reported and its E over all cells.
 #[derive(Clone, Copy, Debug)]
 struct Best {
     candidate: Candidate,
-    /// Its parameters; the search's own differ from them by a rounding.
+    /// Reported parameters; those of `candidate` differ from them by rounding.
     brdf: Brdf,
-    /// Of these.
+    /// E of `brdf` over all cells.
     errors: Errors,
 }
 
-/// A fit under way.
+/// State of a running fit.
 pub(super) struct StagedFit<'a, 'w> {
     problem: &'a Problem,
     options: &'a Options,
     space: SearchSpace,
     watch: Watch<'w>,
-    /// What the watcher was last told.
+    /// Last progress report.
     shown: Option<Progress>,
     cancelled: bool,
     exhausted: bool,
-    /// The starts that the data suggest, once they are asked for.
+    /// Starts that the data suggest, once they are asked for.
     starts: Option<Vec<Candidate>>,
-    /// What they are chosen from, and other fits too.
+    /// Grid that the starts are chosen from, shared with other fits.
     grid: &'w mut StartGrid,
-    /// Contained fits, with the numbers that they were given out with.
+    /// Contained fits as candidates, with the parameters that they were reported with.
     known: Vec<(Candidate, Params)>,
     stages: Vec<StageReport>,
     stage: Stage,
     evaluations: usize,
 }
 
-/// Fits what the variant contains, asking every now and then whether to go on; with the errors of each.
+/// Fits the contained variants, asking at intervals whether to go on; returns each with its errors.
 type Contained<'c> = &'c mut dyn FnMut(
     &mut StartGrid,
     &mut (dyn FnMut() -> ControlFlow<()> + Send),
@@ -80,7 +80,8 @@ impl<'a, 'w> StagedFit<'a, 'w> {
         }
     }
 
-    /// Runs the stages. `contained` are fits of variants that this one contains, as points of its own space.
+    /// Runs the stages that the options choose. `contained` fits the variants that this one contains, as starts of
+    /// stage 4.
     pub fn run(mut self, contained: Contained) -> Outcome {
         let start = self.start();
         let mut best = self.measure(start);
@@ -134,7 +135,7 @@ impl<'a, 'w> StagedFit<'a, 'w> {
         }
     }
 
-    /// Where stage 1 begins: at the user's start where there is one, at the data's best start otherwise.
+    /// Start of stage 1: the user's start where it is complete, else the best start of the data.
     fn start(&mut self) -> Candidate {
         let given = self.options.start;
         let variant = self.space.variant;
@@ -180,20 +181,20 @@ impl<'a, 'w> StagedFit<'a, 'w> {
             .get_or_insert_with(|| multistart::best_starts(coarse, space, self.grid))
     }
 
-    /// Stage 1.
+    /// Stage 1: ρ_d and k_s, exact.
     fn amplitudes(&mut self, before: &Best) -> Vec<Best> {
         self.evaluations += 1;
         vec![self.solve(&before.candidate, &self.space.limits, true)]
     }
 
-    /// Stage 2.
+    /// Stage 2: s, α, η for fixed ρ_d and k_s.
     fn shape(&mut self, before: &Best) -> Vec<Best> {
         let follow = AmplitudeRule::Fixed(before.candidate.amplitudes);
         let found = self.descend_levels(&before.candidate, follow);
         vec![self.measure(found)]
     }
 
-    /// Stage 3.
+    /// Stage 3: s, α, η, k_s for fixed ρ_d.
     fn shape_and_specular(&mut self, before: &Best) -> Vec<Best> {
         let mut limits = self.space.limits;
         limits.diffuse = before.candidate.amplitudes.diffuse.map(|a| (a, a));
@@ -201,8 +202,8 @@ impl<'a, 'w> StagedFit<'a, 'w> {
         vec![self.last_word(found, &limits)]
     }
 
-    /// Stage 4: from the data's starts on the small sample, from the best of these, from the end of the stages
-    /// before and from what is contained on the larger one, and from the best of all on all cells.
+    /// Stage 4: descents from the data's starts on the small sample, from the best of these, from the end of the stages
+    /// before and from the contained fits on the larger one, and from the best of all on all cells.
     fn joint(&mut self, before: &Best, contained: Contained) -> Vec<Best> {
         let follow = AmplitudeRule::Optimised(self.space.limits);
         let mut found = Vec::new();
@@ -262,7 +263,8 @@ impl<'a, 'w> StagedFit<'a, 'w> {
         found
     }
 
-    /// The end of a descent with its solution made exact, unless nobody waits for that.
+    /// Candidate at the end of a descent with its amplitudes solved exactly, or merely measured where the fit was
+    /// cancelled.
     fn last_word(&self, end: Candidate, limits: &AmplitudeBounds) -> Best {
         if self.cancelled {
             self.measure(end)
@@ -271,12 +273,12 @@ impl<'a, 'w> StagedFit<'a, 'w> {
         }
     }
 
-    /// Whether no stage follows that would move all that this one does.
+    /// Whether this is stage 4 or stage 4 is not run, so that no stage that moves everything follows.
     fn is_last(&self) -> bool {
         self.stage == Stage::Joint || !self.options.runs(Stage::Joint)
     }
 
-    /// E over all cells as it is reported.
+    /// Candidate with E over all cells.
     fn measure(&self, mut candidate: Candidate) -> Best {
         let brdf = self.brdf(&candidate);
         let errors = self.problem.errors(&brdf);
@@ -288,7 +290,7 @@ impl<'a, 'w> StagedFit<'a, 'w> {
         }
     }
 
-    /// The same after solving for the amplitudes: to the last cell, or to what a look at all of them promises.
+    /// Candidate with its amplitudes solved on all cells and its E: exactly, or near the minimum by regression alone.
     fn solve(&self, near: &Candidate, limits: &AmplitudeBounds, exactly: bool) -> Best {
         let all = &self.problem.all;
         let shapes = kernels::shapes(&self.lobe(near.point), all);
@@ -349,7 +351,7 @@ impl<'a, 'w> StagedFit<'a, 'w> {
         flow
     }
 
-    /// How far the fit is: stages count by what they cost.
+    /// Share of the fit that is done, in [0, 1]: stages are weighted by their cost.
     fn share(&self) -> f32 {
         let cost = |stage: Stage| match stage {
             Stage::Amplitudes => 1.0,

@@ -1,4 +1,4 @@
-//! Fitting one variant or several: what a variant contains is fitted with it, once.
+//! Fits of one variant or several: variants that one contains are fitted with it, once.
 
 use super::multistart::StartGrid;
 use super::options::{Options, Variant};
@@ -8,10 +8,10 @@ use super::staged_fit::StagedFit;
 use crate::brdf::{MODELS, ParamId, params};
 use std::ops::ControlFlow;
 
-/// Fits one variant.
+/// Fits a variant.
 ///
-/// Stopped by `watch`, the outcome is the best so far. A variant that contains others (the combined model at α = 0
-/// and 1) is never worse than these, fitted likewise.
+/// Where `watch` stops it, the outcome is the best model so far. A variant that contains others (the combined model at
+/// α = 0 and 1) is never worse than these, fitted under the same options.
 pub fn fit(problem: &Problem, variant: Variant, options: &Options, watch: Watch) -> Outcome {
     fit_knowing(
         problem,
@@ -23,9 +23,9 @@ pub fn fit(problem: &Problem, variant: Variant, options: &Options, watch: Watch)
     )
 }
 
-/// Fits several variants; what one finds helps those that contain it, so this is quicker than one by one.
+/// Fits several variants; each outcome helps the variants that contain it, so this is quicker than one by one.
 ///
-/// `watch` also gets the position of the variant under way. Stopped, the outcomes so far are returned, the one
+/// `watch` also gets the index of the variant under way. Where it stops, the outcomes so far are returned, the one
 /// under way as the last of them.
 pub fn fit_all(
     problem: &Problem,
@@ -47,7 +47,7 @@ pub fn fit_all(
     outcomes
 }
 
-/// Fits a variant with what is known of others under the same options.
+/// Fits a variant, reusing outcomes of others under the same options.
 fn fit_knowing(
     problem: &Problem,
     variant: Variant,
@@ -77,7 +77,7 @@ fn fit_knowing(
     })
 }
 
-/// The variants that equal this one at some α, with the options that mean the same for them.
+/// Variants that equal this one at some α, with the equivalent options for them.
 fn contained_variants(variant: Variant, options: &Options) -> Vec<(Variant, Options)> {
     let Some(alpha) = variant.model.param(ParamId::Alpha) else {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! E of a model and its slopes in the variables of the search.
+//! Kernels of E and its gradient in the variables of the search.
 
 use super::super::amplitudes::Amplitudes;
 use super::super::lobe_kernel::LobeKernel;
@@ -9,12 +9,12 @@ use super::rows::{ROWS_PER_SUM, RowLanes, block_of, over_slabs, per_block};
 use pulp::Simd;
 use std::ops::Range;
 
-/// E and its slopes in (ln s, α, ln(η − 1)) with the amplitudes held.
+/// E and its gradient in (ln s, α, ln(η − 1)) with the amplitudes held.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Slopes {
-    /// Σ w |f̂ − f| / Σ w f, all channels over all channels.
+    /// E = Σ w |f̂ − f| / Σ w f, both sums over all channels.
     pub error: f64,
-    /// Its gradient; 0 unless asked for.
+    /// Gradient of E; 0 where it was not asked for.
     pub gradient: [f64; 3],
 }
 
@@ -102,7 +102,7 @@ impl<const GRADIENT: bool> ErrorPass<'_, GRADIENT> {
     }
 }
 
-/// E of a model: one pass over everything. This is what the benchmarks call an objective pass.
+/// E of a model: one pass over all cells. This is what the benchmarks call an objective pass.
 pub fn error(
     lobe: &LobeKernel,
     cells: &SymmetricCells,
@@ -112,7 +112,8 @@ pub fn error(
     pass::<false>(lobe, cells, amplitudes, 0.0, threads).error
 }
 
-/// E with its slopes. `band` is the relative half width of residuals that count as nearly 0.
+/// E with its gradient. `band` is the half width, relative to the model, of the band in which the sign of residuals is
+/// softened.
 pub fn slopes(
     lobe: &LobeKernel,
     cells: &SymmetricCells,

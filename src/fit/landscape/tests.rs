@@ -3,7 +3,7 @@ use crate::brdf::{BLINN_PHONG, PHONG};
 use crate::fit::options::{NO_LIMIT, Weight};
 use crate::measured::{Grid, tabulate};
 
-/// A model whose s and α are a node of every grid.
+/// Model whose s and α are a node of every grid.
 fn truth() -> Brdf {
     Brdf {
         model: model(),

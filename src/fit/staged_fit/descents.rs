@@ -1,4 +1,4 @@
-//! The descents of the stages: side by side on a sample, alone on all cells.
+//! Descents of the stages: side by side on a sample, alone on all cells.
 
 use super::super::descent::{self, Rules};
 use super::super::objective::{AmplitudeRule, Candidate, Objective};
@@ -12,7 +12,7 @@ use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use std::sync::{Mutex, PoisonError};
 
-/// How far a descent goes on some of the cells.
+/// Cells and stopping rules of a descent.
 pub(super) struct Refinement<'a> {
     cells: &'a SymmetricCells,
     threads: Threads,
@@ -21,7 +21,7 @@ pub(super) struct Refinement<'a> {
 }
 
 impl<'a> Refinement<'a> {
-    /// To sort out starts.
+    /// Descents on the small sample, which sort out starts.
     pub(super) fn coarse(problem: &'a Problem) -> Self {
         Self {
             cells: &problem.coarse,
@@ -31,7 +31,7 @@ impl<'a> Refinement<'a> {
         }
     }
 
-    /// To come near.
+    /// Descents on the larger sample.
     pub(super) fn medium(problem: &'a Problem) -> Self {
         Self {
             cells: &problem.medium,
@@ -40,7 +40,7 @@ impl<'a> Refinement<'a> {
         }
     }
 
-    /// To come near where all cells have a say, before another stage goes on.
+    /// Descent on all cells, before another stage that goes on.
     fn all(problem: &'a Problem) -> Self {
         Self {
             cells: &problem.all,
@@ -49,7 +49,7 @@ impl<'a> Refinement<'a> {
         }
     }
 
-    /// The last word.
+    /// Final descent on all cells.
     fn last(problem: &'a Problem) -> Self {
         Self {
             tolerance: 1e-5,
@@ -58,7 +58,7 @@ impl<'a> Refinement<'a> {
     }
 }
 
-/// The watcher, shared by descents side by side.
+/// Observer of a fit, shared by descents side by side.
 struct Watched<'w> {
     watch: Watch<'w>,
     shown: Option<Progress>,
@@ -66,7 +66,7 @@ struct Watched<'w> {
 }
 
 impl Watched<'_> {
-    /// Tells of an evaluation, and of its model where that is better than what was shown. Returns whether to go on.
+    /// Reports an evaluation, with its model where that is better than the last reported. Returns whether to go on.
     fn tell(&mut self, error: f64, brdf: impl FnOnce() -> Brdf) -> bool {
         let Some(shown) = self.shown.as_mut().filter(|_| !self.stopped) else {
             return !self.stopped;
@@ -81,7 +81,8 @@ impl Watched<'_> {
 }
 
 impl<'a> StagedFit<'a, '_> {
-    /// Descents on a sample from several points, each on a thread of its own; the best end first.
+    /// Runs descents on a sample from several points, each on a thread of its own; the best end first. Starts and ends
+    /// are candidates with the approximate Hessian, if known.
     pub(super) fn descend_side_by_side(
         &mut self,
         starts: impl Iterator<Item = (Candidate, Option<DMat3>)>,
@@ -126,7 +127,7 @@ impl<'a> StagedFit<'a, '_> {
             .collect()
     }
 
-    /// A descent on the larger sample and then on all cells.
+    /// Runs a descent on the larger sample and then one on all cells.
     pub(super) fn descend_levels(&mut self, start: &Candidate, follow: AmplitudeRule) -> Candidate {
         let near = std::iter::once((*start, None));
         let alone = Refinement {
@@ -141,7 +142,7 @@ impl<'a> StagedFit<'a, '_> {
         }
     }
 
-    /// A descent on all cells, watched at every step.
+    /// Runs a descent on all cells, reported at every step.
     pub(super) fn descend_all(
         &mut self,
         start: &Candidate,
