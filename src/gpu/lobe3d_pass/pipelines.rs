@@ -1,9 +1,9 @@
-//! The pipelines of lobes in space, and the picture they draw into.
+//! Pipelines of lobes in 3D, and the textures that they draw into.
 
 use super::{FlatVertex, LinePiece, SolidVertex, SpacePicture, Target};
 use crate::gpu::shader;
 
-/// Samples per pixel, which every adapter has.
+/// Samples per pixel of the multisampled textures; every adapter supports 4.
 const SAMPLES: u32 = 4;
 const COLOR: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth24Plus;
@@ -19,7 +19,7 @@ pub(super) struct Pipelines {
     blit_layout: wgpu::BindGroupLayout,
 }
 
-/// What tells the pipelines in space apart.
+/// State in which the 3D pipelines differ.
 struct Kind<'a> {
     vertex: &'a str,
     fragment: &'a str,
@@ -117,7 +117,7 @@ impl Pipelines {
         }
     }
 
-    /// A picture to draw into.
+    /// Textures of this size to draw into.
     pub(super) fn target(&self, device: &wgpu::Device, size_px: [u32; 2]) -> Target {
         let texture = |format, sample_count, usage| {
             let texture = device.create_texture(&wgpu::TextureDescriptor {
