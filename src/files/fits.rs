@@ -1,4 +1,4 @@
-//! Fit files: what was fitted, how, and what came out, for the window and the command line alike.
+//! Fit files: material, options and result of fits, for the window and the command line alike.
 //!
 //! A fit file is a JSON array with an object per fit; `docs/formats.md` documents its keys. Each object is also a model that
 //! [`crate::brdf::json`] reads. A CSV of the same fits is written for spreadsheets and not read.

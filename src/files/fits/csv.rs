@@ -9,10 +9,10 @@ use std::io::{self, Write};
 
 const CHANNELS: [&str; 3] = ["r", "g", "b"];
 
-/// Writes a line with the names of the columns and a row per fit.
+/// Writes a line of column names and a row per fit.
 ///
 /// # Errors
-/// Those of the writer.
+/// Errors of the writer.
 pub fn write_csv(fits: &[FitRecord], out: &mut dyn Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(out);
     writer.write_record(columns())?;
@@ -96,7 +96,7 @@ fn row(fit: &FitRecord) -> Vec<String> {
     row
 }
 
-/// Values as they are typed on the command line: `s=30,k_s=1:2:3`.
+/// Parameter values as they are typed on the command line: `s=30,k_s=1:2:3`.
 fn settings(values: &Partial, fit: &FitRecord) -> String {
     let params = values.over(fit.brdf.params);
     let set = params::ALL
@@ -109,7 +109,7 @@ fn settings(values: &Partial, fit: &FitRecord) -> String {
     set.collect::<Vec<_>>().join(",")
 }
 
-/// The shortest text that reads back as the same number; empty for none.
+/// Shortest text that reads back as the same number; empty where it is not finite.
 fn number(value: f64) -> String {
     if value.is_finite() {
         format!("{value:?}")

@@ -11,10 +11,10 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-/// Writes an array with an object per fit.
+/// Writes a fit file: an array with an object per fit.
 ///
 /// # Errors
-/// Those of the writer.
+/// Errors of the writer.
 pub fn write_json(fits: &[FitRecord], out: &mut dyn Write) -> io::Result<()> {
     write!(out, "[")?;
     for (index, fit) in fits.iter().enumerate() {
@@ -24,16 +24,16 @@ pub fn write_json(fits: &[FitRecord], out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "\n]")
 }
 
-/// One fit as an object of such an array.
+/// JSON object of a fit in a fit file.
 pub fn to_value(fit: &FitRecord) -> Value {
     // Numbers and texts under keys that are texts: nothing that JSON lacks.
     serde_json::to_value(Object::from(fit)).unwrap_or_default()
 }
 
-/// Reads one object of such an array as a whole fit.
+/// Reads the JSON object of a fit.
 ///
 /// # Errors
-/// Says why it is no model, or which key is missing or not understood.
+/// Says why it has no model, or which key is missing or not understood.
 pub fn from_value(value: Value) -> Result<FitRecord, String> {
     let brdf = brdf::json::from_value(&value).map_err(|error| error.to_string())?;
     let object = Object::deserialize(value).map_err(|error| format!("not a fit: {error}"))?;
@@ -41,11 +41,11 @@ pub fn from_value(value: Value) -> Result<FitRecord, String> {
     record.ok_or_else(|| "not a fit: a stage, an angle, the weight or the end is unknown".into())
 }
 
-/// The models of a text that holds one object or an array of them: fits, plain models, or both.
+/// Entries of a text that holds one object or an array of them: fits, plain models, or both.
 ///
 /// # Errors
-/// Says where the text is no JSON, or which entry is no model and why. What an entry says beside its model is
-/// taken where it is understood and left alone where not.
+/// Says where the text is no JSON, or which entry has no model and why. Other keys of an entry are used where they are
+/// understood and ignored where not.
 pub fn entries(text: &str) -> Result<Vec<Entry>, String> {
     let value: Value =
         serde_json::from_str(text).map_err(|error| format!("not valid JSON: {error}"))?;
@@ -78,7 +78,7 @@ fn entry(value: Value) -> Result<Entry, String> {
     })
 }
 
-/// The object of a fit: its keys in the order in which they are written.
+/// JSON object of a fit: its keys in the order in which they are written.
 #[derive(Serialize, Deserialize)]
 struct Object {
     material: String,
@@ -123,7 +123,7 @@ struct StageObject {
     parameters: Numbers,
 }
 
-/// Parameters by key; null where there is none.
+/// Parameter values by key; null where there is none.
 #[derive(Serialize, Deserialize)]
 struct Numbers {
     rho_d: Option<Rgb>,
@@ -134,7 +134,7 @@ struct Numbers {
 }
 
 impl Numbers {
-    /// Those that count for a model.
+    /// Values without those of parameters that do not count for a model.
     fn new(values: &Partial, brdf: &Brdf) -> Self {
         Self {
             rho_d: values.rho_d,
@@ -164,7 +164,7 @@ impl Numbers {
     }
 }
 
-/// Bounds by key, smallest and largest; null where the model lacks the parameter.
+/// Bounds by key, (smallest, largest); null where the model lacks the parameter.
 #[derive(Serialize, Deserialize)]
 struct Bounds {
     rho_d: Option<(f64, f64)>,
@@ -189,7 +189,7 @@ impl Bounds {
         }
     }
 
-    /// Those that are not the default ones.
+    /// Bounds that are not the default ones.
     fn values(&self) -> [Option<(f64, f64)>; 5] {
         params::ALL.map(|row| {
             let bounds = match row.id {
@@ -254,13 +254,14 @@ impl From<&FitRecord> for Object {
     }
 }
 
-/// The key of an albedo: the angle in degrees.
+/// Key of an albedo: the angle in degrees.
 pub(super) fn angle_key(degrees: f64) -> String {
     format!("{degrees}")
 }
 
 impl Object {
-    /// The fit, where all of it is understood. `brdf` is the model that the object was read as.
+    /// Record of the fit; `None` where a stage, an angle, the weight or the end is unknown. `brdf` is the model that
+    /// the object was read as.
     fn into_record(self, brdf: Brdf) -> Option<FitRecord> {
         let mut options = Options {
             stages: [false; 4],
