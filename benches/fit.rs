@@ -8,7 +8,7 @@
 
 use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
 use grazing::fit::options::NO_LIMIT;
-use grazing::fit::{Options, Problem, Variant, Weight, fit, fit_all};
+use grazing::fit::{Options, Problem, Stage, StageSet, Variant, Weight, fit, fit_all};
 use grazing::geom::Rgb;
 use grazing::measured::{Grid, SAMPLES, Table};
 use rayon::prelude::*;
@@ -82,11 +82,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let variant = Variant::from(&brdf);
     let all = Variant::all(Fresnel::Exact);
     let staged = Options {
-        stages: [true, true, true, false],
+        stages: StageSet::POSTER,
         ..Options::default()
     };
     let joint = Options {
-        stages: [false, false, false, true],
+        stages: StageSet::from_iter([Stage::Joint]),
         ..Options::default()
     };
     let every = Options::default();

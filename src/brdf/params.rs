@@ -1,6 +1,7 @@
 //! Parameters of the models: their values, and a row of properties for each.
 
 use crate::geom::Rgb;
+use std::ops::{Index, IndexMut};
 
 /// Parameter values of a BRDF. ρ_d and k_s are linear RGB; s, α, η are shared by the channels.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,6 +84,60 @@ impl ParamId {
         ALL.iter()
             .find(|row| row.id == self)
             .map_or("", |row| row.key)
+    }
+}
+
+/// A value of one type for each parameter; indexed by [`ParamId`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PerParam<T> {
+    /// Value for the diffuse reflectance ρ_d.
+    pub rho_d: T,
+    /// Value for the specular amplitude k_s.
+    pub k_s: T,
+    /// Value for the specular exponent s.
+    pub s: T,
+    /// Value for the lobe blend α.
+    pub alpha: T,
+    /// Value for the relative index of refraction η.
+    pub eta: T,
+}
+
+impl<T> PerParam<T> {
+    /// Values made from the row of each parameter in [`ALL`], in that order.
+    pub fn from_rows(mut of: impl FnMut(&Param) -> T) -> Self {
+        Self {
+            rho_d: of(&RHO_D),
+            k_s: of(&K_S),
+            s: of(&S),
+            alpha: of(&ALPHA),
+            eta: of(&ETA),
+        }
+    }
+}
+
+impl<T> Index<ParamId> for PerParam<T> {
+    type Output = T;
+
+    fn index(&self, id: ParamId) -> &T {
+        match id {
+            ParamId::RhoD => &self.rho_d,
+            ParamId::KS => &self.k_s,
+            ParamId::S => &self.s,
+            ParamId::Alpha => &self.alpha,
+            ParamId::Eta => &self.eta,
+        }
+    }
+}
+
+impl<T> IndexMut<ParamId> for PerParam<T> {
+    fn index_mut(&mut self, id: ParamId) -> &mut T {
+        match id {
+            ParamId::RhoD => &mut self.rho_d,
+            ParamId::KS => &mut self.k_s,
+            ParamId::S => &mut self.s,
+            ParamId::Alpha => &mut self.alpha,
+            ParamId::Eta => &mut self.eta,
+        }
     }
 }
 

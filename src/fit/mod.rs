@@ -29,15 +29,17 @@ pub mod problem;
 mod regression;
 mod simd;
 mod staged_fit;
+pub mod stages;
 mod symmetric_cells;
 mod threads;
 mod variants;
 mod vertex_walk;
 
 pub use error::ProblemError;
-pub use options::{Options, Partial, STAGES, Stage, Variant, WEIGHTS, Weight};
+pub use options::{Options, Partial, Variant, WEIGHTS, Weight};
 pub use outcome::{Concern, Ended, Errors, Outcome, Progress, StageReport, Watch};
 pub use problem::Problem;
+pub use stages::{STAGES, Stage, StageSet};
 pub use variants::{fit, fit_all};
 
 #[cfg(test)]

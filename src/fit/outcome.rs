@@ -1,6 +1,6 @@
 //! Progress and result of a fit.
 
-use super::options::Stage;
+use super::stages::Stage;
 use crate::brdf::{Brdf, ParamId};
 use crate::geom::Rgb;
 use std::ops::ControlFlow;

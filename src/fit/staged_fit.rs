@@ -9,10 +9,11 @@ use super::kernels;
 use super::lobe_kernel::{LobeKernel, LobeShape, SearchPoint};
 use super::multistart::{self, StartGrid};
 use super::objective::{AmplitudeRule, Candidate, SearchSpace};
-use super::options::{Options, STAGES, Stage, Variant};
+use super::options::{Options, Variant};
 use super::outcome::{ALBEDO_ANGLES, Ended, Errors, Outcome, Progress, StageReport, Watch};
 use super::problem::Problem;
 use super::regression::{self, Effort};
+use super::stages::Stage;
 use super::threads::Threads;
 use crate::brdf::{Brdf, Params, albedo};
 use descents::Refinement;
@@ -85,7 +86,7 @@ impl<'a, 'w> StagedFit<'a, 'w> {
     pub fn run(mut self, contained: Contained) -> Outcome {
         let start = self.start();
         let mut best = self.measure(start);
-        for stage in STAGES.into_iter().filter(|stage| self.options.runs(*stage)) {
+        for stage in self.options.stages.iter() {
             if self.cancelled {
                 break;
             }
@@ -359,7 +360,7 @@ impl<'a, 'w> StagedFit<'a, 'w> {
             Stage::ShapeAndSpecular => 4.0,
             Stage::Joint => 6.0,
         };
-        let all = || STAGES.into_iter().filter(|stage| self.options.runs(*stage));
+        let all = || self.options.stages.iter();
         let total: f32 = all().map(cost).sum();
         let done: f32 = all().filter(|stage| *stage < self.stage).map(cost).sum();
         let within = 1.0 - (-0.05 * self.evaluations as f32).exp();

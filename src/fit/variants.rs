@@ -5,7 +5,7 @@ use super::options::{Options, Variant};
 use super::outcome::{Ended, Outcome, Progress, Watch};
 use super::problem::Problem;
 use super::staged_fit::StagedFit;
-use crate::brdf::{MODELS, ParamId, params};
+use crate::brdf::{MODELS, ParamId};
 use std::ops::ControlFlow;
 
 /// Fits a variant.
@@ -95,11 +95,8 @@ fn contained_variants(variant: Variant, options: &Options) -> Vec<(Variant, Opti
             let mut inner = *options;
             inner.held.s = inner.held.s.map(|s| s * ratio);
             inner.start.s = inner.start.s.map(|s| s * ratio);
-            for (bounds, row) in inner.bounds.iter_mut().zip(params::ALL) {
-                if row.id == ParamId::S {
-                    *bounds = bounds.map(|(low, high)| (low * ratio, high * ratio));
-                }
-            }
+            let bounds = inner.bounds.s;
+            inner.bounds.s = bounds.map(|(low, high)| (low * ratio, high * ratio));
             let fresnel = variant.fresnel;
             (Variant { model, fresnel }, inner)
         })

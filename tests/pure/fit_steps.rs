@@ -11,7 +11,9 @@ use grazing::app::state::material::{MaterialId, Origin};
 use grazing::app::views::lobes::settings::LobeSettings;
 use grazing::brdf::{Brdf, Fresnel, ParamId};
 use grazing::figure::scale::RadialScale;
-use grazing::fit::{Ended, Errors, Outcome, ProblemError, Progress, Stage, Variant, Weight};
+use grazing::fit::{
+    Ended, Errors, Outcome, ProblemError, Progress, Stage, StageSet, Variant, Weight,
+};
 use grazing::measured::{Grid, Table};
 
 /// A state with `count` grey materials, the last of them shown.
@@ -420,7 +422,7 @@ fn best_amplitudes_follow_the_model_and_what_cannot_be_had_says_so() {
 #[test]
 fn an_unfinished_setup_cannot_be_fitted() {
     let mut state = state(1);
-    let stages = [false; 4];
+    let stages = StageSet::NONE;
     let settings = Settings {
         stages,
         ..Settings::default()

@@ -32,7 +32,7 @@ fn only(window: &mut Window, stages: &[Stage]) {
 
 fn options(stages: &[Stage]) -> Options {
     Options {
-        stages: STAGES.map(|stage| stages.contains(&stage)),
+        stages: stages.iter().copied().collect(),
         ..Options::default()
     }
 }

@@ -29,7 +29,7 @@ use crate::figure::scale::RadialScale;
 use crate::figure::slices::{Over, Residual};
 use crate::files::SourceFile;
 use crate::fit::options::NO_LIMIT;
-use crate::fit::{Ended, Errors, Options, Outcome, Stage, StageReport, Variant, Weight};
+use crate::fit::{Ended, Errors, Options, Outcome, Stage, StageReport, StageSet, Variant, Weight};
 use crate::geom::sphere_error::SphereError;
 use crate::measured::Table;
 use crate::measured::lookup::Lookup;
@@ -66,7 +66,7 @@ fn kept(brdf: Brdf, error: f64) -> KeptFit {
     };
     let mut options = Options::default();
     options.held.s = Some(brdf.params.s);
-    options.bounds[0] = Some((0.0, 0.5));
+    options.bounds.rho_d = Some((0.0, 0.5));
     let mut setup = crate::app::state::fitting::settings::Settings::default().setup(&brdf);
     setup.options = options;
     setup.limit = 77f64.to_radians();
@@ -199,9 +199,9 @@ fn rich() -> State {
 
     state.fit.settings.weight = Weight::Cells;
     state.fit.settings.limit = 80f64.to_radians();
-    state.fit.settings.stages = [true, false, true, false];
-    state.fit.settings.held[3] = true;
-    state.fit.settings.bounds[2] = Some((1.0, 500.0));
+    state.fit.settings.stages = StageSet::from_iter([Stage::Amplitudes, Stage::ShapeAndSpecular]);
+    state.fit.settings.held.alpha = true;
+    state.fit.settings.bounds.s = Some((1.0, 500.0));
     state.fit.keep_optimal = true;
     state.fit.sort = SortBy::Grazing;
     state.pinned = Some(Probe::in_plane(0.7, -0.2));

@@ -3,8 +3,8 @@
 use super::json::angle_key;
 use super::record::FitRecord;
 use crate::brdf::params;
+use crate::fit::Partial;
 use crate::fit::outcome::ALBEDO_ANGLES;
-use crate::fit::{Partial, STAGES};
 use std::io::{self, Write};
 
 const CHANNELS: [&str; 3] = ["r", "g", "b"];
@@ -79,7 +79,7 @@ fn row(fit: &FitRecord) -> Vec<String> {
         ),
         None => Default::default(),
     };
-    let stages = STAGES.into_iter().filter(|stage| fit.options.runs(*stage));
+    let stages = fit.options.stages.iter();
     let stages: Vec<String> = stages.map(|stage| stage.number().to_string()).collect();
     row.extend([
         fit.evaluations.to_string(),

@@ -1,10 +1,10 @@
 //! Fits as JSON: one line per fit, numbers as the shortest text that reads back as the same f64.
 
 use super::record::{Entry, FitRecord, SourceFile, StageRecord};
-use crate::brdf::{self, Brdf, ParamId, Params, params};
-use crate::fit::options::default_bounds;
+use crate::brdf::{self, Brdf, ParamId, Params, PerParam, params};
+use crate::fit::options;
 use crate::fit::outcome::ALBEDO_ANGLES;
-use crate::fit::{Ended, Errors, Options, Partial, STAGES, Stage, Weight};
+use crate::fit::{Ended, Errors, Options, Partial, Stage, Weight};
 use crate::geom::Rgb;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -190,8 +190,8 @@ impl Bounds {
     }
 
     /// Bounds that are not the default ones.
-    fn values(&self) -> [Option<(f64, f64)>; 5] {
-        params::ALL.map(|row| {
+    fn values(&self) -> PerParam<Option<options::Bounds>> {
+        PerParam::from_rows(|row| {
             let bounds = match row.id {
                 ParamId::RhoD => self.rho_d,
                 ParamId::KS => self.k_s,
@@ -199,7 +199,7 @@ impl Bounds {
                 ParamId::Alpha => self.alpha,
                 ParamId::Eta => self.eta,
             };
-            bounds.filter(|bounds| *bounds != default_bounds(&row))
+            bounds.filter(|bounds| *bounds != options::default_bounds(row))
         })
     }
 }
@@ -209,7 +209,6 @@ impl From<&FitRecord> for Object {
         let (brdf, options) = (&fit.brdf, &fit.options);
         let Numbers { alpha, eta, .. } = Numbers::of(&brdf.params, brdf);
         let finite = |error: f64| error.is_finite().then_some(error);
-        let run = STAGES.into_iter().filter(|stage| options.runs(*stage));
         let stages = fit.stages.iter().map(|stage| StageObject {
             stage: stage.stage.number(),
             start_error: stage.start_error,
@@ -225,7 +224,7 @@ impl From<&FitRecord> for Object {
             options: OptionsObject {
                 weight: fit.weight.key().into(),
                 limit: fit.limit_deg,
-                stages: run.map(Stage::number).collect(),
+                stages: options.stages.iter().map(Stage::number).collect(),
                 start: Numbers::new(&options.start, brdf),
                 held: Numbers::new(&options.held, brdf),
                 bounds: Bounds::new(options, brdf),
@@ -263,15 +262,13 @@ impl Object {
     /// Record of the fit; `None` where a stage, an angle, the weight or the end is unknown. `brdf` is the model that
     /// the object was read as.
     fn into_record(self, brdf: Brdf) -> Option<FitRecord> {
-        let mut options = Options {
-            stages: [false; 4],
+        let stages = self.options.stages.into_iter().map(Stage::by_number);
+        let options = Options {
+            stages: stages.collect::<Option<_>>()?,
             start: self.options.start.values(),
             held: self.options.held.values(),
             bounds: self.options.bounds.values(),
         };
-        for number in self.options.stages {
-            options.stages[Stage::by_number(number)?.number() - 1] = true;
-        }
         let stage = |stage: StageObject| {
             Some(StageRecord {
                 stage: Stage::by_number(stage.stage)?,

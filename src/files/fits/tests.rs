@@ -26,8 +26,8 @@ fn record(model: usize, fresnel: Fresnel) -> FitRecord {
         },
         ..Options::default()
     };
-    options.stages[1] = false;
-    options.bounds[2] = Some((1.0, 500.0));
+    options.stages.shape = false;
+    options.bounds.s = Some((1.0, 500.0));
     FitRecord {
         material: "half \"brass\", β".into(),
         source: Some(SourceFile {

@@ -2,7 +2,7 @@
 
 use super::making::{bounds, distance, fit, map, problem, sample, thinned, variant, watched};
 use grazing::brdf::{Brdf, Fresnel, ParamId};
-use grazing::fit::{self, Concern, Ended, Options, Outcome, Partial, Variant};
+use grazing::fit::{self, Concern, Ended, Options, Outcome, Partial, Stage, StageSet, Variant};
 use grazing::measured::{Grid, Table};
 use std::ops::ControlFlow;
 
@@ -215,7 +215,7 @@ fn every_shape_that_is_tried_is_a_chance_to_stop() {
     let problem = problem(&thinned(sample("copper-glaze"), 8));
     let phong = variant("phong", Fresnel::Exact);
     let options = Options {
-        stages: [false, false, false, true],
+        stages: StageSet::from_iter([Stage::Joint]),
         ..Options::default()
     };
     let (whole, said) = watched(&problem, phong, &options);

@@ -1,8 +1,8 @@
 //! Tables, models and fits for the tests.
 
 pub use crate::common::tables::table;
-use grazing::brdf::{Brdf, Fresnel, Model, ParamId, Params};
-use grazing::fit::options::NO_LIMIT;
+use grazing::brdf::{Brdf, Fresnel, Model, ParamId, Params, PerParam};
+use grazing::fit::options::{Bounds, NO_LIMIT};
 use grazing::fit::{self, Options, Outcome, Problem, Progress, Variant, Weight};
 use grazing::measured::{Grid, SAMPLES, Sample, Table};
 use std::ops::ControlFlow;
@@ -106,8 +106,8 @@ pub fn watched(problem: &Problem, variant: Variant, options: &Options) -> (Outco
 }
 
 /// Bounds by parameter.
-pub fn bounds(of: &[(ParamId, (f64, f64))]) -> [Option<(f64, f64)>; 5] {
-    grazing::brdf::params::ALL.map(|row| {
+pub fn bounds(of: &[(ParamId, Bounds)]) -> PerParam<Option<Bounds>> {
+    PerParam::from_rows(|row| {
         let set = of.iter().find(|(id, _)| *id == row.id);
         set.map(|(_, bounds)| *bounds)
     })

@@ -2,7 +2,7 @@
 
 use super::making::{bell, distance, fit, kept, problem, table, table_of, variant};
 use grazing::brdf::fresnel::FRESNELS;
-use grazing::brdf::{Brdf, Fresnel, ParamId, Params, params};
+use grazing::brdf::{Brdf, Fresnel, ParamId, Params};
 use grazing::fit::Options;
 use grazing::measured::Grid;
 use proptest::prelude::*;
@@ -138,8 +138,7 @@ fn a_lobe_with_hardly_any_exponent() {
     assert!(found < 1e-3, "{outcome:?}");
     // Planted: a bound of 0.1, which matte materials pass.
     let mut options = Options::default();
-    let row = params::ALL.iter().position(|row| row.id == ParamId::S);
-    options.bounds[row.expect("a row")] = Some((0.1, 1e5));
+    options.bounds.s = Some((0.1, 1e5));
     let bounded = fit(&problem, (&truth).into(), &options);
     let bounded = bounded.errors.total;
     assert!(bounded > 3.0 * found, "{bounded} {found}");

@@ -3,7 +3,9 @@
 use super::making::{fit, problem, sample, thinned, variant, watched};
 use grazing::brdf::Fresnel;
 use grazing::fit::options::default_bounds;
-use grazing::fit::{Ended, Options, Outcome, Partial, Problem, STAGES, Stage, Variant, fit_all};
+use grazing::fit::{
+    Ended, Options, Outcome, Partial, Problem, STAGES, Stage, StageSet, Variant, fit_all,
+};
 use std::ops::ControlFlow;
 
 /// What a number may differ by for rounding alone.
@@ -162,10 +164,10 @@ fn only_the_stages_asked_for_are_run() {
     let problem = problem(&thinned(sample("hammered-gold"), 10));
     let combined = variant("combined", Fresnel::Exact);
     for stages in [
-        [true, false, false, false],
-        [false, true, false, false],
-        [true, true, true, false],
-        [false, false, false, true],
+        StageSet::from_iter([Stage::Amplitudes]),
+        StageSet::from_iter([Stage::Shape]),
+        StageSet::POSTER,
+        StageSet::from_iter([Stage::Joint]),
     ] {
         let options = Options {
             stages,
