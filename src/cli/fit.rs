@@ -8,7 +8,7 @@ use crate::brdf::fresnel::FRESNELS;
 use crate::brdf::{Fresnel, MODELS, Model, params};
 use crate::files::fits::{FitRecord, write_csv, write_json};
 use crate::files::{self, FileError, place, write_atomically};
-use crate::fit::{Options, Partial, Problem, StageSet, Variant, WEIGHTS, Weight, fit_all};
+use crate::fit::{FitOptions, Partial, Problem, StageSet, Variant, WEIGHTS, Weight, fit_all};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser as _};
 use progress::Bar;
 use std::io::Write;
@@ -156,19 +156,19 @@ impl Args {
             .collect()
     }
 
-    fn options(&self) -> Options {
-        Options {
+    fn options(&self) -> FitOptions {
+        FitOptions {
             stages: self.stages,
             start: self.start.unwrap_or_default(),
             held: self.hold.unwrap_or_default(),
-            ..Options::default()
+            ..FitOptions::default()
         }
     }
 
     /// What is wrong with the options taken together.
     fn check(&self, variants: &[Variant]) -> Result<(), CliError> {
         let usage = |text: String| Err(CliError::Usage("fit", text));
-        let Options { start, held, .. } = self.options();
+        let FitOptions { start, held, .. } = self.options();
         for row in &params::ALL {
             let (starts, held) = (start.has(row.id), held.has(row.id));
             if starts && held {

@@ -11,7 +11,7 @@ mod record;
 pub use csv::write_csv;
 pub use json::{entries, from_value, to_value, write_json};
 pub use materials::{MaterialFits, best_of, by_material};
-pub use record::{Entry, FitRecord, SourceFile, StageRecord};
+pub use record::{FitEntry, FitRecord, SourceFile, StageRecord};
 
 #[cfg(test)]
 mod tests;

@@ -12,7 +12,7 @@ use std::str::Chars;
 
 /// Kind of a file, as far as its beginning and its length tell.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Content {
+pub enum FileContent {
     /// MERL file of the right length.
     Measured,
     /// JSON file with models, grouped by material.
@@ -47,7 +47,7 @@ pub fn shown_name(path: &Path) -> String {
 ///
 /// # Errors
 /// Says why it is neither.
-pub fn inspect(path: &Path) -> Result<Content, FileError> {
+pub fn inspect(path: &Path) -> Result<FileContent, FileError> {
     let (mut file, len) = open(path)?;
     if let Some(text) = json_text(&mut file, path)? {
         if session::is_session(&text) {
@@ -55,10 +55,10 @@ pub fn inspect(path: &Path) -> Result<Content, FileError> {
             return Err(FileError::new(path, what));
         }
         let entries = fits::entries(&text).map_err(|what| FileError::new(path, what))?;
-        return Ok(Content::Models(fits::by_material(path, entries)));
+        return Ok(FileContent::Models(fits::by_material(path, entries)));
     }
     merl::read_header(&mut file, len)
-        .map(|_| Content::Measured)
+        .map(|_| FileContent::Measured)
         .map_err(|error| FileError::merl(path, error))
 }
 
@@ -147,7 +147,7 @@ mod tests {
         let length = merl::byte_count(crate::measured::Grid::FOLDED);
         let file = std::fs::File::options().write(true).open(&good);
         file.and_then(|file| file.set_len(length)).expect("long");
-        assert_eq!(inspect(&good).expect("good"), Content::Measured);
+        assert_eq!(inspect(&good).expect("good"), FileContent::Measured);
         for (path, words) in [
             (write("short.binary", &header), "truncated"),
             (write("text.txt", b"hello, world"), "it is a text"),
@@ -161,7 +161,7 @@ mod tests {
         }
         let model = br#"{"model": "phong", "rho_d": [1, 0, 0], "k_s": [1, 2, 4], "s": 3}"#;
         let models = inspect(&write("model.json", model)).expect("a model");
-        assert!(matches!(models, Content::Models(all) if all.len() == 1));
+        assert!(matches!(models, FileContent::Models(all) if all.len() == 1));
         write(".hidden", b"");
         let names: Vec<String> = list(folder.path())
             .expect("listed")

@@ -16,18 +16,18 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// Observer of a long read, called with the share done, in [0, 1]; may stop it.
-pub type Progress<'a> = &'a mut dyn FnMut(f32) -> ControlFlow<()>;
+pub type OnProgress<'a> = &'a mut dyn FnMut(f32) -> ControlFlow<()>;
 
 /// Source of f_r: a measurement or a model.
 #[derive(Clone, Debug)]
-pub enum Source {
+pub enum OpenedSource {
     /// Measured table of a MERL file.
     Table(Arc<Table>),
     /// Model of a JSON file.
     Brdf(Brdf),
 }
 
-impl Source {
+impl OpenedSource {
     /// f_r of the unit vectors (wi, wo) in 1/sr, linear RGB; `None` below the horizon of either and where nothing was
     /// measured.
     pub fn eval(&self, wi: DVec3, wo: DVec3, lookup: Lookup) -> Option<Rgb> {
@@ -42,7 +42,7 @@ impl Source {
 ///
 /// # Errors
 /// Says in one line what is wrong, what was expected and, last, the path.
-pub fn open_table(path: &Path, progress: Progress) -> Result<Table, FileError> {
+pub fn open_table(path: &Path, progress: OnProgress) -> Result<Table, FileError> {
     let (file, len) = open(path)?;
     read_table(file, len, path, progress)
 }
@@ -51,7 +51,7 @@ pub fn open_table(path: &Path, progress: Progress) -> Result<Table, FileError> {
 ///
 /// # Errors
 /// Errors of [`open_table`].
-pub fn open_measured(path: &Path, progress: Progress) -> Result<(Table, SourceFile), FileError> {
+pub fn open_measured(path: &Path, progress: OnProgress) -> Result<(Table, SourceFile), FileError> {
     let (file, len) = open(path)?;
     let mut file = Hashing::new(file);
     let table =
@@ -75,7 +75,7 @@ pub fn identify(path: &Path) -> Result<SourceFile, FileError> {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Json {
     /// Entries of models or fits.
-    Models(Vec<fits::Entry>),
+    Models(Vec<fits::FitEntry>),
     /// Text of a session.
     Session(String),
 }
@@ -100,7 +100,7 @@ pub fn open_json(path: &Path) -> Result<Option<Json>, FileError> {
 ///
 /// # Errors
 /// Errors of [`open_table`]; a session.
-pub fn open_models(path: &Path) -> Result<Option<Vec<fits::Entry>>, FileError> {
+pub fn open_models(path: &Path) -> Result<Option<Vec<fits::FitEntry>>, FileError> {
     match open_json(path)? {
         None => Ok(None),
         Some(Json::Models(entries)) => Ok(Some(entries)),
@@ -112,7 +112,7 @@ pub fn open_models(path: &Path) -> Result<Option<Vec<fits::Entry>>, FileError> {
 ///
 /// # Errors
 /// Errors of [`open_table`]; a measured file is no model.
-pub fn open_model(path: &Path, index: usize) -> Result<fits::Entry, FileError> {
+pub fn open_model(path: &Path, index: usize) -> Result<fits::FitEntry, FileError> {
     let Some(mut entries) = open_models(path)? else {
         let what = "this is no JSON file; expected a model or a fit file, which `grazing fit` makes of measured files";
         return Err(FileError::new(path, what));
@@ -129,7 +129,11 @@ pub fn open_model(path: &Path, index: usize) -> Result<fits::Entry, FileError> {
 ///
 /// # Errors
 /// Errors of [`open_table`].
-pub fn open_source(path: &Path, index: usize, progress: Progress) -> Result<Source, FileError> {
+pub fn open_source(
+    path: &Path,
+    index: usize,
+    progress: OnProgress,
+) -> Result<OpenedSource, FileError> {
     let (mut file, len) = open(path)?;
     if let Some(text) = json_text(&mut file, path)? {
         if session::is_session(&text) {
@@ -137,13 +141,13 @@ pub fn open_source(path: &Path, index: usize, progress: Progress) -> Result<Sour
         }
         let brdf = brdf::json::from_text(&text, index)
             .map_err(|error| FileError::new(path, error.to_string()))?;
-        return Ok(Source::Brdf(brdf));
+        return Ok(OpenedSource::Brdf(brdf));
     }
     if index > 0 && len > 0 {
         let text = format!("there is no entry {index}; only a JSON file with an array has entries");
         return Err(FileError::new(path, text));
     }
-    read_table(file, len, path, progress).map(|table| Source::Table(Arc::new(table)))
+    read_table(file, len, path, progress).map(|table| OpenedSource::Table(Arc::new(table)))
 }
 
 /// Text of a file of at most 64 MiB.
@@ -189,7 +193,7 @@ pub(super) fn open(path: &Path) -> Result<(File, u64), FileError> {
     Ok((File::open(path).map_err(cannot)?, metadata.len()))
 }
 
-fn read_table(file: File, len: u64, path: &Path, progress: Progress) -> Result<Table, FileError> {
+fn read_table(file: File, len: u64, path: &Path, progress: OnProgress) -> Result<Table, FileError> {
     merl::read(file, len, progress).map_err(|error| FileError::merl(path, error))
 }
 

@@ -1,6 +1,6 @@
 //! Concerns about a fit: what limits how far its parameters can be trusted.
 
-use super::options::{Options, SMALLEST_ETA};
+use super::options::{FitOptions, SMALLEST_ETA};
 use super::outcome::Concern;
 use crate::brdf::{Brdf, Fresnel, ParamId};
 use crate::geom::Rgb;
@@ -12,7 +12,7 @@ const NEAR_ONE: f64 = 0.02;
 const FEWEST_BINS: usize = 4;
 
 /// Concerns about a fitted model, the gravest first. `albedo` is its directional albedo.
-pub fn diagnose(brdf: &Brdf, options: &Options, albedo: &[Rgb]) -> Vec<Concern> {
+pub fn diagnose(brdf: &Brdf, options: &FitOptions, albedo: &[Rgb]) -> Vec<Concern> {
     let mut found = Vec::new();
     let free = |id: ParamId| brdf.uses(id) && !options.held.has(id);
     if brdf.params.k_s.iter().all(|k_s| *k_s <= 0.0) {

@@ -15,7 +15,7 @@ const ALPHAS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 const ETAS: [f64; 3] = [1.2, 1.5, 2.5];
 
 /// Sampled cell: its f_r and its weight, the solid angle times both cosines.
-struct Sample {
+struct WeightedCell {
     cosines: Cosines,
     weight: f64,
     /// Weight divided by f_r, per channel.
@@ -37,7 +37,7 @@ pub fn from_table(table: &Table) -> Brdf {
     let mut best_error = f64::INFINITY;
     // A shape is R_F · exp(s · ln base): of its parts each is made once.
     let reflectance = |eta: f64| {
-        let of = |sample: &Sample| best.fresnel.reflectance(sample.cosines.wi_dot_wh, eta);
+        let of = |sample: &WeightedCell| best.fresnel.reflectance(sample.cosines.wi_dot_wh, eta);
         samples.iter().map(of).collect::<Vec<f64>>()
     };
     let reflectances = ETAS.map(reflectance);
@@ -49,7 +49,7 @@ pub fn from_table(table: &Table) -> Brdf {
             alpha,
             ..Params::default()
         };
-        let ln_base = |sample: &Sample| (best.model.lobe)(&base, &sample.cosines).ln();
+        let ln_base = |sample: &WeightedCell| (best.model.lobe)(&base, &sample.cosines).ln();
         let ln_base: Vec<f64> = samples.iter().map(ln_base).collect();
         for k in 0..EXPONENTS {
             let s = 0.3 * 1e5f64.powf(k as f64 / (EXPONENTS - 1) as f64);
@@ -83,7 +83,7 @@ pub fn from_table(table: &Table) -> Brdf {
     best
 }
 
-fn samples(table: &Table) -> Vec<Sample> {
+fn samples(table: &Table) -> Vec<WeightedCell> {
     let grid = table.grid();
     let mut samples = Vec::new();
     for h in 0..THETA_H_BINS {
@@ -103,7 +103,7 @@ fn samples(table: &Table) -> Vec<Sample> {
                     * center.theta_d.sin()
                     * (2 * h + 1) as f64;
                 let weight = solid_angle * cosines.cos_theta_i * cosines.cos_theta_o;
-                samples.push(Sample {
+                samples.push(WeightedCell {
                     cosines,
                     weight,
                     relative: f_r.map(|f| weight / f.max(1e-6)),
@@ -116,7 +116,7 @@ fn samples(table: &Table) -> Vec<Sample> {
 }
 
 /// (ρ_d, k_s) ≥ 0 that minimise Σ (w/f) (ρ_d/π + k_s·shape − f)².
-fn amplitudes(samples: &[Sample], shapes: &[f64], channel: usize) -> (f64, f64) {
+fn amplitudes(samples: &[WeightedCell], shapes: &[f64], channel: usize) -> (f64, f64) {
     let (mut aa, mut ab, mut bb, mut af, mut bf) = (0.0, 0.0, 0.0, 0.0, 0.0);
     for (sample, b) in samples.iter().zip(shapes) {
         let (f, w) = (sample.f_r[channel], sample.relative[channel]);
@@ -139,7 +139,13 @@ fn amplitudes(samples: &[Sample], shapes: &[f64], channel: usize) -> (f64, f64) 
     }
 }
 
-fn absolute_error(samples: &[Sample], shapes: &[f64], channel: usize, rho_d: f64, k_s: f64) -> f64 {
+fn absolute_error(
+    samples: &[WeightedCell],
+    shapes: &[f64],
+    channel: usize,
+    rho_d: f64,
+    k_s: f64,
+) -> f64 {
     samples
         .iter()
         .zip(shapes)

@@ -5,7 +5,7 @@
 
 use super::lobe_kernel::{LobeShape, SearchPoint};
 use super::objective::{AmplitudeRule, Candidate, Objective, SearchSpace};
-use super::options::{Options, Variant};
+use super::options::{FitOptions, Variant};
 use super::problem::Problem;
 use super::symmetric_cells::SymmetricCells;
 use super::threads::Threads;
@@ -53,7 +53,7 @@ pub struct Landscape {
 
 /// Progress report of a landscape.
 #[derive(Debug)]
-pub enum Update {
+pub enum LandscapeUpdate {
     /// Share of all grids that is done, in [0, 1].
     Progress(f32),
     /// Landscape on a finished grid, finer ones are to come.
@@ -73,7 +73,7 @@ pub fn landscape(
     problem: &Problem,
     fresnel: Fresnel,
     eta: Eta,
-    follow: &mut dyn FnMut(Update) -> ControlFlow<()>,
+    follow: &mut dyn FnMut(LandscapeUpdate) -> ControlFlow<()>,
 ) -> Option<Landscape> {
     let variant = Variant {
         model: model(),
@@ -85,7 +85,7 @@ pub fn landscape(
             Eta::Fixed(_) => &problem.medium,
             Eta::Optimised => &problem.coarse,
         },
-        space: SearchSpace::new(variant, &Options::default(), problem.units()),
+        space: SearchSpace::new(variant, &FitOptions::default(), problem.units()),
         eta: match fresnel {
             Fresnel::None => Eta::Fixed(params::ETA.default),
             _ => eta,
@@ -113,12 +113,12 @@ pub fn landscape(
                 nodes[*k] = Some(node);
             }
             done += batch.len();
-            if follow(Update::Progress(done as f32 / all as f32)).is_break() {
+            if follow(LandscapeUpdate::Progress(done as f32 / all as f32)).is_break() {
                 return None;
             }
         }
         grid.nodes = nodes.into_iter().flatten().collect();
-        if step + 1 < GRIDS.len() && follow(Update::Grid(grid.clone())).is_break() {
+        if step + 1 < GRIDS.len() && follow(LandscapeUpdate::Grid(grid.clone())).is_break() {
             return None;
         }
         before = Some(grid);
@@ -160,7 +160,7 @@ impl Survey<'_> {
             Eta::Fixed(eta) => objective.error(at(eta)),
             Eta::Optimised => best_eta(&mut objective, at(params::ETA.default)),
         };
-        let params = self.space.params(&candidate, &Options::default());
+        let params = self.space.params(&candidate, &FitOptions::default());
         let eta = match self.eta {
             Eta::Fixed(eta) => eta,
             Eta::Optimised => params.eta,

@@ -55,7 +55,7 @@ impl LobeShape {
 
 /// Functions of the grid's angles that every lobe needs, per bin.
 #[derive(Debug)]
-struct Angles {
+struct GridAngles {
     /// 2 sin²θh per bin.
     twice_sin2_h: [f64; THETA_H_BINS],
     /// 1 − cos⁴θh per bin.
@@ -66,12 +66,12 @@ struct Angles {
     squares_d: [(f64, f64); THETA_D_BINS],
 }
 
-static ANGLES: LazyLock<Angles> = LazyLock::new(|| {
+static ANGLES: LazyLock<GridAngles> = LazyLock::new(|| {
     let grid = Grid::FOLDED;
     let theta_h = |h: usize| grid.center(h, 0, 0).theta_h;
     let theta_d = |d: usize| grid.center(0, d, 0).theta_d;
     let sin2_h = |h: usize| theta_h(h).sin().powi(2);
-    Angles {
+    GridAngles {
         twice_sin2_h: std::array::from_fn(|h| 2.0 * sin2_h(h)),
         // 1 − cos⁴ = sin² (1 + cos²)
         versine4_h: std::array::from_fn(|h| sin2_h(h) * (1.0 + theta_h(h).cos().powi(2))),
@@ -84,7 +84,7 @@ static ANGLES: LazyLock<Angles> = LazyLock::new(|| {
 #[derive(Clone, Debug)]
 pub struct LobeKernel {
     shape: LobeShape,
-    angles: &'static Angles,
+    angles: &'static GridAngles,
     /// R_F per bin of θd.
     fresnel: [f64; THETA_D_BINS],
     /// ∂ ln R_F / ∂ ln(η − 1) per bin of θd.

@@ -4,7 +4,7 @@ use super::amplitudes::{AmplitudeBounds, AmplitudeUnits, Amplitudes};
 use super::descent::Value;
 use super::kernels;
 use super::lobe_kernel::{LobeKernel, LobeShape, SearchPoint};
-use super::options::{Options, SMALLEST_ETA, Variant};
+use super::options::{FitOptions, SMALLEST_ETA, Variant};
 use super::regression::{self, Effort};
 use super::symmetric_cells::SymmetricCells;
 use super::threads::Threads;
@@ -42,7 +42,7 @@ pub struct SearchSpace {
 
 impl SearchSpace {
     /// Search space of a variant under the options of a fit.
-    pub fn new(variant: Variant, options: &Options, units: AmplitudeUnits) -> Self {
+    pub fn new(variant: Variant, options: &FitOptions, units: AmplitudeUnits) -> Self {
         let row = |id| variant.model.param(id);
         let bounds = |id: ParamId, held: Option<f64>, missing: f64| match (held, row(id)) {
             (Some(value), Some(_)) => (value, value),
@@ -86,7 +86,7 @@ impl SearchSpace {
     }
 
     /// Parameters of a candidate. Values that are held come out as they went in.
-    pub fn params(&self, candidate: &Candidate, options: &Options) -> Params {
+    pub fn params(&self, candidate: &Candidate, options: &FitOptions) -> Params {
         let amplitudes = &candidate.amplitudes;
         let mut params = self.units.with(amplitudes, Params::default());
         let LobeShape { s, alpha, eta } = LobeShape::at(candidate.point);

@@ -163,7 +163,7 @@ pub type Bounds = (f64, f64);
 
 /// Options of a fit: stages, held values, start, bounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Options {
+pub struct FitOptions {
     /// Stages that are run.
     pub stages: StageSet,
     /// Values of the parameters that are held fixed.
@@ -174,7 +174,7 @@ pub struct Options {
     pub bounds: PerParam<Option<Bounds>>,
 }
 
-impl Default for Options {
+impl Default for FitOptions {
     /// All stages, with every parameter free within its default bounds.
     fn default() -> Self {
         Self {
@@ -186,7 +186,7 @@ impl Default for Options {
     }
 }
 
-impl Options {
+impl FitOptions {
     /// Whether a stage is run.
     pub fn runs(&self, stage: Stage) -> bool {
         self.stages[stage]

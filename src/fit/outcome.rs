@@ -18,7 +18,7 @@ pub struct Errors {
 
 /// Progress report of a fit: the best model so far.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Progress {
+pub struct FitProgress {
     /// Stage under way.
     pub stage: Stage,
     /// Best model of this stage so far.
@@ -36,7 +36,7 @@ pub struct Progress {
 
 /// Observer of a fit, called with the best model so far, at least every few hundredths of a second and once a stage;
 /// may stop the fit. Calls come one at a time, but from any thread of the pool.
-pub type Watch<'a> = &'a mut (dyn FnMut(&Progress) -> ControlFlow<()> + Send);
+pub type Watch<'a> = &'a mut (dyn FnMut(&FitProgress) -> ControlFlow<()> + Send);
 
 /// Report of a finished stage.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,7 +57,7 @@ pub struct StageReport {
 
 /// Reason why a fit ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Ended {
+pub enum EndReason {
     /// No step promised a lower E.
     Converged,
     /// The evaluations were used up before that.
@@ -66,7 +66,7 @@ pub enum Ended {
     Cancelled,
 }
 
-impl Ended {
+impl EndReason {
     /// Name in files, e.g. "converged".
     pub fn key(self) -> &'static str {
         match self {
@@ -129,7 +129,7 @@ pub struct Outcome {
     /// Number of shapes (s, α, η) that were tried in all.
     pub evaluations: usize,
     /// Reason why the fit ended.
-    pub ended: Ended,
+    pub ended: EndReason,
     /// Directional albedo of the model at [`ALBEDO_ANGLES`], linear RGB.
     pub albedo: [Rgb; 3],
     /// Concerns about the parameters, the gravest first.

@@ -6,7 +6,7 @@ use super::exact_l1;
 use super::kernels;
 use super::lobe_kernel::{LobeKernel, LobeShape};
 use super::objective::SearchSpace;
-use super::options::{Options, Variant, Weight};
+use super::options::{FitOptions, Variant, Weight};
 use super::outcome::Errors;
 use super::regression::{self, Effort};
 use super::simd::LANES;
@@ -85,7 +85,7 @@ impl Problem {
 
     /// Model with the best ρ_d and k_s within their default bounds for its (s, α, η): stage 1.
     pub fn with_best_amplitudes(&self, brdf: &Brdf) -> Brdf {
-        let space = SearchSpace::new(Variant::from(brdf), &Options::default(), self.units());
+        let space = SearchSpace::new(Variant::from(brdf), &FitOptions::default(), self.units());
         let amplitudes = best_amplitudes(self, brdf, &space.limits);
         let params = space.units.with(&amplitudes, brdf.params);
         Brdf { params, ..*brdf }

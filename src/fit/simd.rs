@@ -18,15 +18,15 @@ pub trait Kernel {
 /// Runs a kernel with the best instruction set of this machine.
 #[inline]
 pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
-    struct Run<K>(K);
-    impl<K: Kernel> pulp::WithSimd for Run<K> {
+    struct Dispatched<K>(K);
+    impl<K: Kernel> pulp::WithSimd for Dispatched<K> {
         type Output = K::Output;
         #[inline(always)]
         fn with_simd<S: Simd>(self, simd: S) -> K::Output {
             self.0.run(simd)
         }
     }
-    pulp::Arch::new().dispatch(Run(kernel))
+    pulp::Arch::new().dispatch(Dispatched(kernel))
 }
 
 /// SIMD vector of f32: a number per lane.

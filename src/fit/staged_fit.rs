@@ -9,8 +9,8 @@ use super::kernels;
 use super::lobe_kernel::{LobeKernel, LobeShape, SearchPoint};
 use super::multistart::{self, StartGrid};
 use super::objective::{AmplitudeRule, Candidate, SearchSpace};
-use super::options::{Options, Variant};
-use super::outcome::{ALBEDO_ANGLES, Ended, Errors, Outcome, Progress, StageReport, Watch};
+use super::options::{FitOptions, Variant};
+use super::outcome::{ALBEDO_ANGLES, EndReason, Errors, FitProgress, Outcome, StageReport, Watch};
 use super::problem::Problem;
 use super::regression::{self, Effort};
 use super::stages::Stage;
@@ -32,11 +32,11 @@ struct Best {
 /// State of a running fit.
 pub(super) struct StagedFit<'a, 'w> {
     problem: &'a Problem,
-    options: &'a Options,
+    options: &'a FitOptions,
     space: SearchSpace,
     watch: Watch<'w>,
     /// Last progress report.
-    shown: Option<Progress>,
+    shown: Option<FitProgress>,
     cancelled: bool,
     exhausted: bool,
     /// Starts that the data suggest, once they are asked for.
@@ -60,7 +60,7 @@ impl<'a, 'w> StagedFit<'a, 'w> {
     pub fn new(
         problem: &'a Problem,
         variant: Variant,
-        options: &'a Options,
+        options: &'a FitOptions,
         grid: &'w mut StartGrid,
         watch: Watch<'w>,
     ) -> Self {
@@ -127,9 +127,9 @@ impl<'a, 'w> StagedFit<'a, 'w> {
             evaluations: self.stages.iter().map(|stage| stage.evaluations).sum(),
             stages: self.stages,
             ended: match (self.cancelled, self.exhausted) {
-                (true, _) => Ended::Cancelled,
-                (_, true) => Ended::Limit,
-                _ => Ended::Converged,
+                (true, _) => EndReason::Cancelled,
+                (_, true) => EndReason::Limit,
+                _ => EndReason::Converged,
             },
             concerns: diagnostics::diagnose(&brdf, self.options, &albedo),
             albedo,
@@ -338,7 +338,7 @@ impl<'a, 'w> StagedFit<'a, 'w> {
         if self.cancelled {
             return ControlFlow::Break(());
         }
-        let progress = Progress {
+        let progress = FitProgress {
             stage: self.stage,
             brdf: self.brdf(candidate),
             error,

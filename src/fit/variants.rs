@@ -1,8 +1,8 @@
 //! Fits of one variant or several: variants that one contains are fitted with it, once.
 
 use super::multistart::StartGrid;
-use super::options::{Options, Variant};
-use super::outcome::{Ended, Outcome, Progress, Watch};
+use super::options::{FitOptions, Variant};
+use super::outcome::{EndReason, FitProgress, Outcome, Watch};
 use super::problem::Problem;
 use super::staged_fit::StagedFit;
 use crate::brdf::{MODELS, ParamId};
@@ -12,7 +12,7 @@ use std::ops::ControlFlow;
 ///
 /// Where `watch` stops it, the outcome is the best model so far. A variant that contains others (the combined model at
 /// α = 0 and 1) is never worse than these, fitted under the same options.
-pub fn fit(problem: &Problem, variant: Variant, options: &Options, watch: Watch) -> Outcome {
+pub fn fit(problem: &Problem, variant: Variant, options: &FitOptions, watch: Watch) -> Outcome {
     fit_knowing(
         problem,
         variant,
@@ -30,15 +30,15 @@ pub fn fit(problem: &Problem, variant: Variant, options: &Options, watch: Watch)
 pub fn fit_all(
     problem: &Problem,
     variants: &[Variant],
-    options: &Options,
-    watch: &mut (dyn FnMut(usize, &Progress) -> ControlFlow<()> + Send),
+    options: &FitOptions,
+    watch: &mut (dyn FnMut(usize, &FitProgress) -> ControlFlow<()> + Send),
 ) -> Vec<Outcome> {
     let mut outcomes: Vec<Outcome> = Vec::new();
     let mut grid = StartGrid::default();
     for (position, variant) in variants.iter().enumerate() {
-        let mut watch = |progress: &Progress| watch(position, progress);
+        let mut watch = |progress: &FitProgress| watch(position, progress);
         let outcome = fit_knowing(problem, *variant, options, &outcomes, &mut grid, &mut watch);
-        let stopped = outcome.ended == Ended::Cancelled;
+        let stopped = outcome.ended == EndReason::Cancelled;
         outcomes.push(outcome);
         if stopped {
             break;
@@ -51,7 +51,7 @@ pub fn fit_all(
 fn fit_knowing(
     problem: &Problem,
     variant: Variant,
-    options: &Options,
+    options: &FitOptions,
     known: &[Outcome],
     grid: &mut StartGrid,
     watch: Watch,
@@ -78,7 +78,7 @@ fn fit_knowing(
 }
 
 /// Variants that equal this one at some α, with the equivalent options for them.
-fn contained_variants(variant: Variant, options: &Options) -> Vec<(Variant, Options)> {
+fn contained_variants(variant: Variant, options: &FitOptions) -> Vec<(Variant, FitOptions)> {
     let Some(alpha) = variant.model.param(ParamId::Alpha) else {
         return Vec::new();
     };

@@ -15,7 +15,7 @@ pub fn rounded(radians: f64) -> f64 {
 ///
 /// # Errors
 /// Errors of the serializer.
-pub fn serialize<T: Angles + Serialize, S: Serializer>(
+pub fn serialize<T: HasAngles + Serialize, S: Serializer>(
     radians: &T,
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
@@ -26,7 +26,7 @@ pub fn serialize<T: Angles + Serialize, S: Serializer>(
 ///
 /// # Errors
 /// Errors of the deserializer; angles that are not finite or outside of −3600° to 3600°.
-pub fn deserialize<'de, T: Angles + Deserialize<'de>, D: Deserializer<'de>>(
+pub fn deserialize<'de, T: HasAngles + Deserialize<'de>, D: Deserializer<'de>>(
     deserializer: D,
 ) -> Result<T, D::Error> {
     const SANE: RangeInclusive<f64> = -3600.0..=3600.0;
@@ -46,7 +46,7 @@ pub fn deserialize<'de, T: Angles + Deserialize<'de>, D: Deserializer<'de>>(
 }
 
 /// A value that holds angles: one, a pair, a list, or none.
-pub trait Angles: Sized {
+pub trait HasAngles: Sized {
     /// A copy with `change` applied to every angle.
     fn each(&self, change: &impl Fn(f64) -> f64) -> Self;
 
@@ -54,7 +54,7 @@ pub trait Angles: Sized {
     fn visit(&self, look: &mut impl FnMut(f64));
 }
 
-impl Angles for f64 {
+impl HasAngles for f64 {
     fn each(&self, change: &impl Fn(f64) -> f64) -> Self {
         change(*self)
     }
@@ -64,7 +64,7 @@ impl Angles for f64 {
     }
 }
 
-impl Angles for [f64; 2] {
+impl HasAngles for [f64; 2] {
     fn each(&self, change: &impl Fn(f64) -> f64) -> Self {
         self.map(change)
     }
@@ -74,7 +74,7 @@ impl Angles for [f64; 2] {
     }
 }
 
-impl Angles for Vec<f64> {
+impl HasAngles for Vec<f64> {
     fn each(&self, change: &impl Fn(f64) -> f64) -> Self {
         self.iter().copied().map(change).collect()
     }
@@ -84,7 +84,7 @@ impl Angles for Vec<f64> {
     }
 }
 
-impl<T: Angles> Angles for Option<T> {
+impl<T: HasAngles> HasAngles for Option<T> {
     fn each(&self, change: &impl Fn(f64) -> f64) -> Self {
         self.as_ref().map(|angles| angles.each(change))
     }

@@ -145,13 +145,13 @@ pub struct SpacePicture {
     flat: wgpu::Buffer,
     lines: wgpu::Buffer,
     counts: [u32; 3],
-    target: Option<Target>,
+    target: Option<PictureTarget>,
     /// View that the target shows.
     shown: Option<SpaceView>,
 }
 
 #[derive(Debug)]
-struct Target {
+struct PictureTarget {
     size_px: [u32; 2],
     color: wgpu::TextureView,
     smoothed: wgpu::TextureView,

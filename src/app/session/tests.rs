@@ -29,7 +29,9 @@ use crate::figure::scale::RadialScale;
 use crate::figure::slices::{Over, Residual};
 use crate::files::SourceFile;
 use crate::fit::options::NO_LIMIT;
-use crate::fit::{Ended, Errors, Options, Outcome, Stage, StageReport, StageSet, Variant, Weight};
+use crate::fit::{
+    EndReason, Errors, FitOptions, Outcome, Stage, StageReport, StageSet, Variant, Weight,
+};
 use crate::geom::sphere_error::SphereError;
 use crate::measured::Table;
 use crate::measured::lookup::Lookup;
@@ -64,7 +66,7 @@ fn kept(brdf: Brdf, error: f64) -> KeptFit {
         error,
         evaluations: 17,
     };
-    let mut options = Options::default();
+    let mut options = FitOptions::default();
     options.held.s = Some(brdf.params.s);
     options.bounds.rho_d = Some((0.0, 0.5));
     let mut setup = crate::app::state::fitting::settings::Settings::default().setup(&brdf);
@@ -82,7 +84,7 @@ fn kept(brdf: Brdf, error: f64) -> KeptFit {
             },
             stages: vec![stage],
             evaluations: 34,
-            ended: Ended::Limit,
+            ended: EndReason::Limit,
             albedo,
             concerns: crate::fit::diagnostics::diagnose(&brdf, &options, &albedo),
         },

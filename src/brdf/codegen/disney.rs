@@ -1,7 +1,7 @@
 //! The `.brdf` files of Disney's BRDF Explorer: parameters with sliders, and a GLSL shader that reads them as uniforms.
 
 use super::glsl::from_wgsl;
-use super::items::Items;
+use super::items::WgslItems;
 use super::parts::{ascii, head, library, literal, used, values};
 use crate::brdf::Brdf;
 use crate::brdf::params::{Param, Scale};
@@ -44,7 +44,7 @@ pub fn disney(brdf: &Brdf, material: Option<&str>) -> String {
 }}
 "
     );
-    let items = Items::new(&[&library(brdf), &function]);
+    let items = WgslItems::new(&[&library(brdf), &function]);
     let functions = from_wgsl(&items.needed_by("BRDF"));
     let _ = write!(
         text,

@@ -2,14 +2,14 @@
 //! structs, `if` and arithmetic, with the type of every `let` and `var` written out and no types but f32, u32 and
 //! vectors.
 
-use super::items::{Items, is_word, tokens};
+use super::items::{WgslItems, is_word, tokens};
 use super::parts::{USE, ascii, entry, head, library};
 use crate::brdf::Brdf;
 
 /// GLSL text that defines `vec3 brdf(vec3 wi, vec3 wo)`, the twin of [`Brdf::f_r`] with 0 below the horizon, for GLSL
 /// 1.30 and GLSL ES 3.00 and later.
 pub fn glsl(brdf: &Brdf, material: Option<&str>) -> String {
-    let items = Items::new(&[&library(brdf), &entry(brdf)]);
+    let items = WgslItems::new(&[&library(brdf), &entry(brdf)]);
     let text = from_wgsl(&items.needed_by("brdf"));
     ascii(&(head(brdf, material, "//") + USE + &text))
 }

@@ -3,17 +3,17 @@
 use std::collections::BTreeSet;
 
 /// The top-level functions and structs of texts in which each begins and ends at the left margin.
-pub struct Items {
-    all: Vec<Item>,
+pub struct WgslItems {
+    all: Vec<WgslItem>,
 }
 
-struct Item {
+struct WgslItem {
     name: String,
     /// Source text with the comment right above it.
     text: String,
 }
 
-impl Items {
+impl WgslItems {
     /// Splits the texts into items.
     pub fn new(texts: &[&str]) -> Self {
         let mut all = Vec::new();
@@ -33,7 +33,7 @@ impl Items {
                 }
                 if line == "}" {
                     let text = std::mem::take(&mut item);
-                    all.extend(name.take().map(|name| Item { name, text }));
+                    all.extend(name.take().map(|name| WgslItem { name, text }));
                 }
             }
         }
@@ -62,7 +62,12 @@ impl Items {
         text
     }
 
-    fn visit<'a>(&'a self, name: &str, seen: &mut BTreeSet<&'a str>, order: &mut Vec<&'a Item>) {
+    fn visit<'a>(
+        &'a self,
+        name: &str,
+        seen: &mut BTreeSet<&'a str>,
+        order: &mut Vec<&'a WgslItem>,
+    ) {
         let Some(item) = self.all.iter().find(|item| item.name == name) else {
             return;
         };

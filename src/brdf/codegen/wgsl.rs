@@ -1,6 +1,6 @@
 //! Export of a model as a WGSL function to paste.
 
-use super::items::Items;
+use super::items::WgslItems;
 use super::parts::{USE, ascii, entry, head, library};
 use crate::brdf::Brdf;
 
@@ -8,6 +8,6 @@ use crate::brdf::Brdf;
 ///
 /// `material` is named in the head of the text. Every other name that it defines begins with `brdf_` or `Brdf`.
 pub fn wgsl(brdf: &Brdf, material: Option<&str>) -> String {
-    let items = Items::new(&[&library(brdf), &entry(brdf)]);
+    let items = WgslItems::new(&[&library(brdf), &entry(brdf)]);
     ascii(&(head(brdf, material, "//") + USE + &items.needed_by("brdf")))
 }

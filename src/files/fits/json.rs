@@ -1,10 +1,10 @@
 //! Fits as JSON: one line per fit, numbers as the shortest text that reads back as the same f64.
 
-use super::record::{Entry, FitRecord, SourceFile, StageRecord};
+use super::record::{FitEntry, FitRecord, SourceFile, StageRecord};
 use crate::brdf::{self, Brdf, ParamId, Params, PerParam, params};
 use crate::fit::options;
 use crate::fit::outcome::ALBEDO_ANGLES;
-use crate::fit::{Ended, Errors, Options, Partial, Stage, Weight};
+use crate::fit::{EndReason, Errors, FitOptions, Partial, Stage, Weight};
 use crate::geom::Rgb;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -46,7 +46,7 @@ pub fn from_value(value: Value) -> Result<FitRecord, String> {
 /// # Errors
 /// Says where the text is no JSON, or which entry has no model and why. Other keys of an entry are used where they are
 /// understood and ignored where not.
-pub fn entries(text: &str) -> Result<Vec<Entry>, String> {
+pub fn entries(text: &str) -> Result<Vec<FitEntry>, String> {
     let value: Value =
         serde_json::from_str(text).map_err(|error| format!("not valid JSON: {error}"))?;
     match value {
@@ -60,10 +60,10 @@ pub fn entries(text: &str) -> Result<Vec<Entry>, String> {
     }
 }
 
-fn entry(value: Value) -> Result<Entry, String> {
+fn entry(value: Value) -> Result<FitEntry, String> {
     let brdf = brdf::json::from_value(&value).map_err(|error| error.to_string())?;
     let text = |key: &str| value.get(key).and_then(Value::as_str).map(str::to_owned);
-    Ok(Entry {
+    Ok(FitEntry {
         brdf,
         material: text("material")
             .map(|name| name.replace(char::is_control, " "))
@@ -175,7 +175,7 @@ struct Bounds {
 }
 
 impl Bounds {
-    fn new(options: &Options, brdf: &Brdf) -> Self {
+    fn new(options: &FitOptions, brdf: &Brdf) -> Self {
         let of = |id| {
             let row = brdf.model.param(id).filter(|_| brdf.uses(id))?;
             Some(options.bounds_of(row))
@@ -263,7 +263,7 @@ impl Object {
     /// the object was read as.
     fn into_record(self, brdf: Brdf) -> Option<FitRecord> {
         let stages = self.options.stages.into_iter().map(Stage::by_number);
-        let options = Options {
+        let options = FitOptions {
             stages: stages.collect::<Option<_>>()?,
             start: self.options.start.values(),
             held: self.options.held.values(),
@@ -299,7 +299,7 @@ impl Object {
             stages: self.stages.into_iter().map(stage).collect::<Option<_>>()?,
             albedo: [a, b, c],
             evaluations: self.evaluations,
-            ended: [Ended::Converged, Ended::Limit, Ended::Cancelled]
+            ended: [EndReason::Converged, EndReason::Limit, EndReason::Cancelled]
                 .into_iter()
                 .find(|ended| ended.key() == self.ended_because)?,
             concerns: self.concerns,

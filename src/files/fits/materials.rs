@@ -1,6 +1,6 @@
 //! Entries of a fit file grouped by material.
 
-use super::record::{Entry, FitRecord, SourceFile};
+use super::record::{FitEntry, FitRecord, SourceFile};
 use crate::brdf::Brdf;
 use crate::files::paths::{absolute, material_name};
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ pub struct MaterialFits {
     /// Model with the smallest E; the first where no E is given.
     pub best: Brdf,
     /// Entries by ascending E, those without E last.
-    pub entries: Vec<Entry>,
+    pub entries: Vec<FitEntry>,
 }
 
 impl MaterialFits {
@@ -30,9 +30,9 @@ impl MaterialFits {
         found: &Path,
         records: &[FitRecord],
     ) -> Option<Self> {
-        let mut entries: Vec<Entry> = records
+        let mut entries: Vec<FitEntry> = records
             .iter()
-            .map(|record| Entry {
+            .map(|record| FitEntry {
                 brdf: record.brdf,
                 material: Some(record.material.clone()),
                 source: record.source.clone(),
@@ -53,8 +53,8 @@ impl MaterialFits {
 }
 
 /// Sorts entries by ascending E, those without E last.
-fn sort(entries: &mut [Entry]) {
-    let error = |entry: &Entry| entry.error.unwrap_or(f64::INFINITY);
+fn sort(entries: &mut [FitEntry]) {
+    let error = |entry: &FitEntry| entry.error.unwrap_or(f64::INFINITY);
     entries.sort_by(|a, b| error(a).total_cmp(&error(b)));
 }
 
@@ -62,7 +62,7 @@ fn sort(entries: &mut [Entry]) {
 ///
 /// Entries belong together if they were fitted to the same path or to the same bytes, or if none of them names a source
 /// and they have the same material. Entries without a name are each on their own, named after the file.
-pub fn by_material(path: &Path, entries: Vec<Entry>) -> Vec<MaterialFits> {
+pub fn by_material(path: &Path, entries: Vec<FitEntry>) -> Vec<MaterialFits> {
     let path = absolute(path);
     let folder = path.parent().unwrap_or(Path::new(""));
     let single = entries.len() == 1;
@@ -99,17 +99,17 @@ pub fn by_material(path: &Path, entries: Vec<Entry>) -> Vec<MaterialFits> {
 }
 
 /// Entry with the smallest E among the fits of a measured file: those made from the same path or the same bytes.
-pub fn best_of<'a>(entries: &'a [Entry], source: &SourceFile) -> Option<&'a Entry> {
+pub fn best_of<'a>(entries: &'a [FitEntry], source: &SourceFile) -> Option<&'a FitEntry> {
     let of_it = entries.iter().filter(|entry| {
         let same =
             |other: &SourceFile| other.path == source.path || other.same_data(source) == Some(true);
         entry.source.as_ref().is_some_and(same)
     });
-    let error = |entry: &Entry| entry.error.unwrap_or(f64::INFINITY);
+    let error = |entry: &FitEntry| entry.error.unwrap_or(f64::INFINITY);
     of_it.min_by(|a, b| error(a).total_cmp(&error(b)))
 }
 
-fn belongs(entry: &Entry, fits: &MaterialFits) -> bool {
+fn belongs(entry: &FitEntry, fits: &MaterialFits) -> bool {
     match (&entry.source, &fits.source) {
         (Some(a), Some(b)) => a.path == b.path || a.same_data(b) == Some(true),
         (None, None) => entry.material.as_ref() == Some(&fits.name),

@@ -1,7 +1,7 @@
 //! Contents of a fit file as data.
 
 use crate::brdf::{Brdf, Params};
-use crate::fit::{Ended, Errors, Options, Outcome, Stage, Weight};
+use crate::fit::{EndReason, Errors, FitOptions, Outcome, Stage, Weight};
 use crate::geom::Rgb;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -62,7 +62,7 @@ pub struct FitRecord {
     /// Grazing limit in degrees.
     pub limit_deg: f64,
     /// Options of the fit: stages, held values, start, bounds.
-    pub options: Options,
+    pub options: FitOptions,
     /// Fitted model.
     pub brdf: Brdf,
     /// E of the fitted model.
@@ -74,7 +74,7 @@ pub struct FitRecord {
     /// Number of shapes (s, α, η) that were tried in all.
     pub evaluations: usize,
     /// Reason why the fit ended.
-    pub ended: Ended,
+    pub ended: EndReason,
     /// Concerns about the parameters, a sentence each.
     pub concerns: Vec<String>,
 }
@@ -85,7 +85,7 @@ impl FitRecord {
         material: String,
         source: Option<SourceFile>,
         (weight, limit_deg): (Weight, f64),
-        options: &Options,
+        options: &FitOptions,
         outcome: &Outcome,
     ) -> Self {
         let stages = outcome.stages.iter().map(|report| StageRecord {
@@ -120,7 +120,7 @@ impl FitRecord {
 
 /// Entry of a JSON file: a model with the other keys of its object.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Entry {
+pub struct FitEntry {
     /// Model of the entry.
     pub brdf: Brdf,
     /// Name of the material, in one line; `None` where it is missing or blank.

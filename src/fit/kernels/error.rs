@@ -11,7 +11,7 @@ use std::ops::Range;
 
 /// E and its gradient in (ln s, α, ln(η − 1)) with the amplitudes held.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Slopes {
+pub struct ErrorGradient {
     /// E = Σ w |f̂ − f| / Σ w f, both sums over all channels.
     pub error: f64,
     /// Gradient of E; 0 where it was not asked for.
@@ -27,9 +27,9 @@ struct ErrorPass<'a, const GRADIENT: bool> {
 }
 
 impl<const GRADIENT: bool> Kernel for ErrorPass<'_, GRADIENT> {
-    type Output = Slopes;
+    type Output = ErrorGradient;
     #[inline(always)]
-    fn run<S: Simd>(self, simd: S) -> Slopes {
+    fn run<S: Simd>(self, simd: S) -> ErrorGradient {
         match self.cells.mirror_count {
             2 => self.sum::<S, 2>(simd),
             _ => self.sum::<S, 4>(simd),
@@ -39,14 +39,14 @@ impl<const GRADIENT: bool> Kernel for ErrorPass<'_, GRADIENT> {
 
 impl<const GRADIENT: bool> ErrorPass<'_, GRADIENT> {
     #[inline(always)]
-    fn sum<S: Simd, const MIRRORS: usize>(self, simd: S) -> Slopes {
+    fn sum<S: Simd, const MIRRORS: usize>(self, simd: S) -> ErrorGradient {
         let splat = |x: f32| Lanes::splat(simd, x);
         let zero = splat(0.0);
         let diffuse = self.amplitudes.diffuse.map(|a| splat(a as f32));
         let specular = self.amplitudes.specular.map(|b| splat(b as f32));
         let band = splat(self.band);
         let smallest = splat(f32::MIN_POSITIVE);
-        let mut slopes = Slopes::default();
+        let mut slopes = ErrorGradient::default();
         for rows in self.rows.chunks(ROWS_PER_SUM) {
             let [mut error, mut by_s, mut by_alpha] = [zero; 3];
             for row in rows {
@@ -120,7 +120,7 @@ pub fn slopes(
     amplitudes: &Amplitudes,
     band: f64,
     threads: Threads,
-) -> Slopes {
+) -> ErrorGradient {
     pass::<true>(lobe, cells, amplitudes, band as f32, threads)
 }
 
@@ -130,7 +130,7 @@ fn pass<const GRADIENT: bool>(
     amplitudes: &Amplitudes,
     band: f32,
     threads: Threads,
-) -> Slopes {
+) -> ErrorGradient {
     let work = |slab: Range<usize>| {
         simd::dispatch(ErrorPass::<GRADIENT> {
             lobe,
@@ -140,7 +140,7 @@ fn pass<const GRADIENT: bool>(
             band,
         })
     };
-    let mut sum = Slopes::default();
+    let mut sum = ErrorGradient::default();
     over_slabs(cells, threads, work, |part| {
         sum.error += part.error;
         (0..3).for_each(|k| sum.gradient[k] += part.gradient[k]);

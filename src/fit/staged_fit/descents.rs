@@ -2,7 +2,7 @@
 
 use super::super::descent::{self, Rules};
 use super::super::objective::{AmplitudeRule, Candidate, Objective};
-use super::super::outcome::{Progress, Watch};
+use super::super::outcome::{FitProgress, Watch};
 use super::super::problem::Problem;
 use super::super::symmetric_cells::SymmetricCells;
 use super::super::threads::Threads;
@@ -61,7 +61,7 @@ impl<'a> Refinement<'a> {
 /// Observer of a fit, shared by descents side by side.
 struct Watched<'w> {
     watch: Watch<'w>,
-    shown: Option<Progress>,
+    shown: Option<FitProgress>,
     stopped: bool,
 }
 

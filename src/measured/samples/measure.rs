@@ -1,6 +1,6 @@
 //! Synthetic measurement of a sample material on the MERL grid, with noise and with gaps at the horizon.
 
-use super::Sample;
+use super::SyntheticMaterial;
 use super::surface::ground;
 use crate::geom::Rgb;
 use crate::measured::{Grid, Table};
@@ -19,7 +19,7 @@ const GAP: f64 = -0.061;
 /// Largest deviation of the gap's edge, as a cosine, by row and again by cell: some cells above the horizon are lost.
 const RAGGED: f64 = 0.045;
 
-pub fn measure(sample: &Sample) -> Table {
+pub fn measure(sample: &SyntheticMaterial) -> Table {
     let grid = Grid::FOLDED;
     let mut cells = vec![[-1.0_f32; 3]; grid.len()];
     let bins = grid.phi_d_bins();
@@ -64,7 +64,7 @@ pub fn measure(sample: &Sample) -> Table {
 }
 
 /// f_r in 1/sr before noise, linear RGB.
-fn exact(sample: &Sample, lobes: &[Rgb], cos_theta_i: f64, cos_theta_o: f64) -> Rgb {
+fn exact(sample: &SyntheticMaterial, lobes: &[Rgb], cos_theta_i: f64, cos_theta_o: f64) -> Rgb {
     let ground = ground(sample.coat, cos_theta_i, cos_theta_o);
     let mut f_r = sample.albedo.map(|albedo| albedo * ground);
     for ((_, lobe), of_angles) in sample.lobes.iter().zip(lobes) {

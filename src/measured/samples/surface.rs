@@ -44,7 +44,7 @@ impl Interface {
 
 /// Distribution of facet slopes.
 #[derive(Clone, Copy, Debug)]
-pub enum Slopes {
+pub enum SlopeDistribution {
     /// Beckmann: Gaussian [CookTorrance82].
     Beckmann,
     /// GGX, with long tails [Walter07].
@@ -53,12 +53,12 @@ pub enum Slopes {
 
 /// Scattering lobe of the surface.
 #[derive(Clone, Copy, Debug)]
-pub enum Lobe {
+pub enum SurfaceLobe {
     /// Mirror facets with exact Fresnel reflectance and Smith's masking and shadowing, correlated by height
     /// [Walter07, Heitz14]. A function of wh: condensed at grazing angles.
     Facets {
         /// Distribution of the facets' slopes.
-        slopes: Slopes,
+        slopes: SlopeDistribution,
         /// Roughness: width of the distribution.
         roughness: f64,
         /// Index of refraction of the facets.
@@ -80,7 +80,7 @@ pub enum Lobe {
     },
 }
 
-impl Lobe {
+impl SurfaceLobe {
     /// Factor of f_r in θ_h and θ_d (radians), by channel.
     pub fn of_angles(&self, theta_h: f64, theta_d: f64) -> Rgb {
         let cos_theta_d = theta_d.cos();
@@ -130,7 +130,7 @@ impl Lobe {
     }
 }
 
-impl Slopes {
+impl SlopeDistribution {
     /// Density D(θ_h) of facet normals in 1/sr.
     fn density(self, theta_h: f64, roughness: f64) -> f64 {
         let (cos2, m2) = (theta_h.cos().powi(2), roughness * roughness);
@@ -200,7 +200,7 @@ mod tests {
 
     #[test]
     fn facets_cover_the_ground_once() {
-        for slopes in [Slopes::Beckmann, Slopes::Ggx] {
+        for slopes in [SlopeDistribution::Beckmann, SlopeDistribution::Ggx] {
             let steps = 20_000;
             let step = 0.5 * PI / f64::from(steps);
             let covered: f64 = (0..steps)

@@ -3,7 +3,7 @@
 use crate::brdf::params::ALL;
 use crate::brdf::{Brdf, ParamId, PerParam};
 use crate::fit::options::{Bounds, NO_LIMIT};
-use crate::fit::{Options, Partial, StageSet, Weight};
+use crate::fit::{FitOptions, Partial, StageSet, Weight};
 
 /// What the panel says of the next fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,10 +38,10 @@ impl Default for Settings {
 impl Settings {
     /// What a fit is asked while the sliders stand at `brdf`.
     pub fn setup(&self, brdf: &Brdf) -> Setup {
-        let mut options = Options {
+        let mut options = FitOptions {
             stages: self.stages,
             bounds: self.bounds,
-            ..Options::default()
+            ..FitOptions::default()
         };
         for row in &ALL {
             if self.held[row.id] {
@@ -77,7 +77,7 @@ pub struct Setup {
     /// Grazing limit in radians.
     pub limit: f64,
     /// Stages, what was held and where, start and bounds.
-    pub options: Options,
+    pub options: FitOptions,
 }
 
 impl Setup {
@@ -86,7 +86,7 @@ impl Setup {
     pub fn asks_the_same(&self, other: &Self) -> bool {
         let began_at_data = |setup: &Self| setup.options.start == Partial::default();
         let with_start_of = |setup: &Self| Self {
-            options: Options {
+            options: FitOptions {
                 start: setup.options.start,
                 ..self.options
             },
