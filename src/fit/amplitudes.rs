@@ -4,7 +4,7 @@
 use crate::brdf::Params;
 use std::f64::consts::PI;
 
-/// Diffuse and specular amplitudes per channel, in units of [`SymmetricCells::scale`]: ρ_d/π and k_s.
+/// Amplitudes ρ_d/π and k_s per channel, in units of `SymmetricCells::scale`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Amplitudes {
     /// ρ_d/π per channel.
@@ -21,8 +21,8 @@ impl Amplitudes {
     }
 }
 
-/// Bounds of the amplitudes in units of [`SymmetricCells::scale`], (smallest, largest); the same for all channels
-/// unless held.
+/// Bounds of the amplitudes in units of `SymmetricCells::scale`, (smallest, largest); the same for all channels unless
+/// held.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AmplitudeBounds {
     /// Bounds of ρ_d/π per channel.
@@ -66,7 +66,7 @@ pub struct AmplitudeUnits {
 }
 
 impl AmplitudeUnits {
-    /// Units for amplitudes in units of `scale`, see [`super::symmetric_cells::SymmetricCells::scale`].
+    /// Units for amplitudes in units of `scale`, see `SymmetricCells::scale`.
     pub fn new(scale: f64) -> Self {
         Self {
             rho_d: PI * scale,

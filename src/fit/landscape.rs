@@ -23,9 +23,9 @@ const BATCH: usize = 16;
 /// η of the points of a landscape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Eta {
-    /// This η at all points.
+    /// Fixed η at all points.
     Fixed(f64),
-    /// The η that minimises E at each point.
+    /// η that minimises E, at each point.
     Optimised,
 }
 

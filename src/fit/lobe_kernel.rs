@@ -94,7 +94,7 @@ pub struct LobeKernel {
 /// Coefficients of a lobe along a row of cells of fixed (θh, θd).
 #[derive(Clone, Copy, Debug)]
 pub struct RowCoefficients {
-    /// 1 − wr·wo = versine[0] + versine[1] · cos²φd.
+    /// Coefficients of 1 − wr·wo = `versine[0] + versine[1] · cos²φd`.
     pub versine: [f32; 2],
     /// 1 − α
     pub phong: f32,
