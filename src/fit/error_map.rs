@@ -163,8 +163,8 @@ impl Slab {
 
     /// Adds half of a cell to the bins around (θi, θo), in radians.
     fn spread(&mut self, bin: Bin, theta_i: f64, theta_o: f64) {
-        for (i, share_i) in around(theta_i) {
-            for (o, share_o) in around(theta_o) {
+        for (i, share_i) in enclosing_bins(theta_i) {
+            for (o, share_o) in enclosing_bins(theta_o) {
                 self.directions[i + DIRECTION_BINS * o].add(bin, 0.5 * share_i * share_o);
             }
         }
@@ -172,7 +172,7 @@ impl Slab {
 }
 
 /// The two bins whose centres enclose an angle in radians, with the angle's shares of them.
-fn around(theta: f64) -> [(usize, f64); 2] {
+fn enclosing_bins(theta: f64) -> [(usize, f64); 2] {
     let last = DIRECTION_BINS - 1;
     let at = theta / FRAC_PI_2 * DIRECTION_BINS as f64 - 0.5;
     let at = at.clamp(0.0, last as f64);

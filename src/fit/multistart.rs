@@ -28,7 +28,7 @@ struct Chain {
     limits: AmplitudeBounds,
     alpha: f64,
     eta: f64,
-    along: Vec<Candidate>,
+    candidates: Vec<Candidate>,
 }
 
 impl Chain {
@@ -36,7 +36,11 @@ impl Chain {
         self.fresnel == space.variant.fresnel
             && self.limits == space.limits
             && (self.alpha, self.eta) == (alpha, eta)
-            && self.along.iter().map(|point| &point.point[0]).eq(exponents)
+            && self
+                .candidates
+                .iter()
+                .map(|point| &point.point[0])
+                .eq(exponents)
     }
 }
 
@@ -46,7 +50,7 @@ pub fn best_starts(
     space: &SearchSpace,
     grid: &mut StartGrid,
 ) -> Vec<Candidate> {
-    let exponents = even(space.bounds[0]);
+    let exponents = evenly_spaced(space.bounds[0]);
     let alphas = choices(space.bounds[1], &ALPHAS);
     let etas = choices(space.bounds[2], &ETAS_LESS_1.map(f64::ln));
     let chains: Vec<(f64, f64)> = etas
@@ -64,15 +68,15 @@ pub fn best_starts(
         .map(|at| {
             let (alpha, eta) = *at;
             known(at).cloned().unwrap_or_else(|| {
-                let follow = AmplitudeRule::Optimised(space.limits);
-                let mut objective = Objective::new(coarse, fresnel, follow, None, Threads::One);
+                let rule = AmplitudeRule::Optimised(space.limits);
+                let mut objective = Objective::new(coarse, fresnel, rule, None, Threads::One);
                 let points = exponents.iter().map(|ln_s| [*ln_s, alpha, eta]);
                 Chain {
                     fresnel,
                     limits: space.limits,
                     alpha,
                     eta,
-                    along: points.map(|point| objective.error(point)).collect(),
+                    candidates: points.map(|point| objective.error(point)).collect(),
                 }
             })
         })
@@ -92,7 +96,7 @@ pub fn best_starts(
 }
 
 /// Values of ln s, evenly spaced between the bounds; a single one where it is held.
-fn even((low, high): (f64, f64)) -> Vec<f64> {
+fn evenly_spaced((low, high): (f64, f64)) -> Vec<f64> {
     let steps = ((high - low) / std::f64::consts::LN_10 * PER_DECADE)
         .ceil()
         .max(0.0);
@@ -117,7 +121,10 @@ fn choices((low, high): (f64, f64), all: &[f64]) -> Vec<f64> {
 /// Local minima of every chain over s; of these the best that are not near one another.
 fn best_minima(grid: &[Chain]) -> Vec<Candidate> {
     let mut minima: Vec<Candidate> = Vec::new();
-    for Chain { along: chain, .. } in grid {
+    for Chain {
+        candidates: chain, ..
+    } in grid
+    {
         for (k, candidate) in chain.iter().enumerate() {
             let lower = |other: Option<&Candidate>| {
                 other.is_none_or(|other| candidate.error <= other.error)
@@ -143,6 +150,6 @@ fn best_minima(grid: &[Chain]) -> Vec<Candidate> {
 }
 
 /// Whether two points are closer than a fit can tell apart.
-pub fn same(a: SearchPoint, b: SearchPoint) -> bool {
+pub fn nearly_equal(a: SearchPoint, b: SearchPoint) -> bool {
     (a[0] - b[0]).abs() < 0.02 && (a[1] - b[1]).abs() < 0.005 && (a[2] - b[2]).abs() < 0.02
 }

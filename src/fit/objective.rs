@@ -142,7 +142,7 @@ pub enum AmplitudeRule {
 pub struct Objective<'a> {
     cells: &'a SymmetricCells,
     fresnel: Fresnel,
-    follow: AmplitudeRule,
+    rule: AmplitudeRule,
     threads: Threads,
     shapes: Vec<f32>,
     /// Last solution with its R_F(0), the start of the next: when η moves, k_s·R_F(0) stays about the same.
@@ -158,7 +158,7 @@ impl<'a> Objective<'a> {
     pub fn new(
         cells: &'a SymmetricCells,
         fresnel: Fresnel,
-        follow: AmplitudeRule,
+        rule: AmplitudeRule,
         near: Option<&Candidate>,
         threads: Threads,
     ) -> Self {
@@ -166,7 +166,7 @@ impl<'a> Objective<'a> {
         Self {
             cells,
             fresnel,
-            follow,
+            rule,
             threads,
             shapes: Vec::new(),
             warm,
@@ -182,7 +182,7 @@ impl<'a> Objective<'a> {
         let error = self.best.map_or(1.0, |best| best.error);
         let band = (SOFT_BAND * error).clamp(1e-7, WIDEST_SOFT_BAND);
         let slopes = kernels::slopes(&lobe, self.cells, &amplitudes, band, self.threads);
-        self.take(Candidate {
+        self.record(Candidate {
             point,
             amplitudes,
             error: slopes.error,
@@ -202,19 +202,19 @@ impl<'a> Objective<'a> {
             amplitudes,
             error: errors.iter().sum(),
         };
-        self.take(candidate);
+        self.record(candidate);
         candidate
     }
 
     fn amplitudes(&mut self, lobe: &LobeKernel, point: SearchPoint) -> Amplitudes {
-        match self.follow {
+        match self.rule {
             AmplitudeRule::Fixed(amplitudes) => amplitudes,
             AmplitudeRule::Optimised(_) => self.solve(lobe, point).0,
         }
     }
 
     fn solve(&mut self, lobe: &LobeKernel, point: SearchPoint) -> (Amplitudes, [f64; 3]) {
-        let limits = match self.follow {
+        let limits = match self.rule {
             AmplitudeRule::Fixed(held) => AmplitudeBounds::holding(&held),
             AmplitudeRule::Optimised(limits) => limits,
         };
@@ -240,7 +240,7 @@ impl<'a> Objective<'a> {
         solution
     }
 
-    fn take(&mut self, candidate: Candidate) {
+    fn record(&mut self, candidate: Candidate) {
         self.evaluations += 1;
         if self.best.is_none_or(|best| candidate.error < best.error) {
             self.best = Some(candidate);

@@ -74,7 +74,7 @@ struct Descent {
     best: [f64; 2],
     sums: ChannelSums,
     band: f64,
-    careful: bool,
+    use_majorant: bool,
     done: bool,
 }
 
@@ -96,7 +96,7 @@ pub fn solve(
             ..ChannelSums::default()
         },
         band: effort.band,
-        careful: false,
+        use_majorant: false,
         // A black channel has nothing to say.
         done: cells.energy[k] <= 0.0,
     });
@@ -107,7 +107,7 @@ pub fn solve(
         let sums = kernels::regression(cells, shapes, &at, bands, floor, threads);
         for (k, channel) in channels.iter_mut().enumerate() {
             if !channel.done {
-                channel.learn(&sums[k], &limits.of(k), effort, cells.energy[k]);
+                channel.update(&sums[k], &limits.of(k), effort, cells.energy[k]);
             }
         }
         if channels.iter().all(|channel| channel.done) {
@@ -130,21 +130,21 @@ fn amplitudes(of: impl Fn(usize) -> [f64; 2]) -> Amplitudes {
 
 impl Descent {
     /// Takes the sums at `at` and sets the next point, or `done`.
-    fn learn(&mut self, sums: &ChannelSums, bounds: &[(f64, f64); 2], effort: Effort, share: f64) {
+    fn update(&mut self, sums: &ChannelSums, bounds: &[(f64, f64); 2], effort: Effort, share: f64) {
         let tolerance = effort.tolerance;
         let narrow =
             (effort.narrow * self.sums.error.min(sums.error) / share).clamp(NARROWEST, WIDEST);
         if sums.error <= self.sums.error {
             self.best = self.at;
             self.sums = *sums;
-            self.careful = false;
-        } else if !self.careful {
-            self.careful = true;
+            self.use_majorant = false;
+        } else if !self.use_majorant {
+            self.use_majorant = true;
         } else if self.band > narrow {
             // The rounded sum has its minimum here, the true one not yet: look again with less rounding.
             self.band = (0.2 * self.band).max(narrow);
             self.at = self.best;
-            self.careful = false;
+            self.use_majorant = false;
             return;
         } else {
             // Even the parabola finds nothing better: what is left is rounding.
@@ -156,18 +156,18 @@ impl Descent {
             majorant,
             error,
         } = self.sums;
-        let matrix = match self.careful {
+        let matrix = match self.use_majorant {
             true => majorant,
             false => std::array::from_fn(|k| curvature[k] + SAFEGUARD * majorant[k]),
         };
         let step = step_within(slope, matrix, self.best, bounds);
         let gain = -value(slope, matrix, step);
-        let met = error <= 1e-8 * share || !gain.is_finite();
+        let fits_exactly = error <= 1e-8 * share || !gain.is_finite();
         self.at = [self.best[0] + step[0], self.best[1] + step[1]];
         for (x, (low, high)) in self.at.iter_mut().zip(bounds) {
             *x = x.clamp(*low, *high);
         }
-        if met {
+        if fits_exactly {
             self.done = true;
         } else if !self.done && gain <= tolerance * error && self.band <= NARROW_ENOUGH * narrow {
             // So short a step needs no look at where it leads.

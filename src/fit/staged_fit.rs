@@ -36,7 +36,7 @@ pub(super) struct StagedFit<'a, 'w> {
     space: SearchSpace,
     watch: Watch<'w>,
     /// Last progress report.
-    shown: Option<FitProgress>,
+    last_report: Option<FitProgress>,
     cancelled: bool,
     exhausted: bool,
     /// Starts that the data suggest, once they are asked for.
@@ -44,7 +44,7 @@ pub(super) struct StagedFit<'a, 'w> {
     /// Grid that the starts are chosen from, shared with other fits.
     grid: &'w mut StartGrid,
     /// Contained fits as candidates, with the parameters that they were reported with.
-    known: Vec<(Candidate, Params)>,
+    contained_fits: Vec<(Candidate, Params)>,
     stages: Vec<StageReport>,
     stage: Stage,
     evaluations: usize,
@@ -69,12 +69,12 @@ impl<'a, 'w> StagedFit<'a, 'w> {
             options,
             space: SearchSpace::new(variant, options, problem.units()),
             watch,
-            shown: None,
+            last_report: None,
             cancelled: false,
             exhausted: false,
             starts: None,
             grid,
-            known: Vec::new(),
+            contained_fits: Vec::new(),
             stages: Vec::new(),
             stage: Stage::Amplitudes,
             evaluations: 0,
@@ -190,8 +190,8 @@ impl<'a, 'w> StagedFit<'a, 'w> {
 
     /// Stage 2: s, α, η for fixed ρ_d and k_s.
     fn shape(&mut self, before: &Best) -> Vec<Best> {
-        let follow = AmplitudeRule::Fixed(before.candidate.amplitudes);
-        let found = self.descend_levels(&before.candidate, follow);
+        let rule = AmplitudeRule::Fixed(before.candidate.amplitudes);
+        let found = self.descend_levels(&before.candidate, rule);
         vec![self.measure(found)]
     }
 
@@ -200,13 +200,13 @@ impl<'a, 'w> StagedFit<'a, 'w> {
         let mut limits = self.space.limits;
         limits.diffuse = before.candidate.amplitudes.diffuse.map(|a| (a, a));
         let found = self.descend_levels(&before.candidate, AmplitudeRule::Optimised(limits));
-        vec![self.last_word(found, &limits)]
+        vec![self.solved_end(found, &limits)]
     }
 
     /// Stage 4: descents from the data's starts on the small sample, from the best of these, from the end of the stages
     /// before and from the contained fits on the larger one, and from the best of all on all cells.
     fn joint(&mut self, before: &Best, contained: Contained) -> Vec<Best> {
-        let follow = AmplitudeRule::Optimised(self.space.limits);
+        let rule = AmplitudeRule::Optimised(self.space.limits);
         let mut found = Vec::new();
         let mut near: Vec<Candidate> = vec![before.candidate];
         let contained = {
@@ -227,7 +227,7 @@ impl<'a, 'w> StagedFit<'a, 'w> {
             };
             near.push(candidate);
             let brdf = brdf.with_model(self.space.variant.model);
-            self.known.push((candidate, brdf.params));
+            self.contained_fits.push((candidate, brdf.params));
             found.push(Best {
                 candidate,
                 brdf: self.space.variant.with(brdf.params),
@@ -239,7 +239,7 @@ impl<'a, 'w> StagedFit<'a, 'w> {
         }
         let starts = self.starts().to_vec();
         let starts = starts.into_iter().map(|start| (start, None));
-        let mut ends = self.descend_side_by_side(starts, &Refinement::coarse(self.problem), follow);
+        let mut ends = self.descend_side_by_side(starts, &Refinement::coarse(self.problem), rule);
         if self.cancelled {
             found.extend(ends.first().map(|end| self.measure(end.0)));
             return found;
@@ -248,25 +248,25 @@ impl<'a, 'w> StagedFit<'a, 'w> {
             .first()
             .map_or(f64::INFINITY, |best| 1.03 * best.0.error);
         ends.retain(|end| end.0.error <= limit);
-        ends.dedup_by(|a, b| multistart::same(a.0.point, b.0.point));
+        ends.dedup_by(|a, b| multistart::nearly_equal(a.0.point, b.0.point));
         ends.truncate(2);
         ends.extend(near.into_iter().map(|candidate| (candidate, None)));
         let medium = Refinement::medium(self.problem);
-        let ends = self.descend_side_by_side(ends.into_iter(), &medium, follow);
+        let ends = self.descend_side_by_side(ends.into_iter(), &medium, rule);
         if let Some((start, curvature)) = ends.first() {
             if self.cancelled {
                 found.push(self.measure(*start));
                 return found;
             }
-            let end = self.descend_all(start, *curvature, follow);
-            found.push(self.last_word(end, &self.space.limits));
+            let end = self.descend_all(start, *curvature, rule);
+            found.push(self.solved_end(end, &self.space.limits));
         }
         found
     }
 
     /// Candidate at the end of a descent with its amplitudes solved exactly, or merely measured where the fit was
     /// cancelled.
-    fn last_word(&self, end: Candidate, limits: &AmplitudeBounds) -> Best {
+    fn solved_end(&self, end: Candidate, limits: &AmplitudeBounds) -> Best {
         if self.cancelled {
             self.measure(end)
         } else {
@@ -321,7 +321,7 @@ impl<'a, 'w> StagedFit<'a, 'w> {
         let is_this = |known: &&(Candidate, Params)| {
             known.0.point == candidate.point && known.0.amplitudes == candidate.amplitudes
         };
-        if let Some((_, params)) = self.known.iter().find(is_this) {
+        if let Some((_, params)) = self.contained_fits.iter().find(is_this) {
             return self.space.variant.with(*params);
         }
         self.space
@@ -346,7 +346,7 @@ impl<'a, 'w> StagedFit<'a, 'w> {
             evaluations: self.evaluations,
             share: self.share(),
         };
-        self.shown = Some(progress);
+        self.last_report = Some(progress);
         let flow = (self.watch)(&progress);
         self.cancelled |= flow.is_break();
         flow

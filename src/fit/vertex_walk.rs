@@ -87,7 +87,7 @@ impl L1Sum {
 
     /// Lowest point of the line through `at` with its value, if it is lower; else `at` and `value`.
     fn best_along(&self, at: [f64; 2], value: f64, direction: [f64; 2]) -> ([f64; 2], f64) {
-        let Some(t) = self.lowest(at, direction) else {
+        let Some(t) = self.lowest_along(at, direction) else {
             return (at, value);
         };
         let to = std::array::from_fn(|k| {
@@ -102,7 +102,7 @@ impl L1Sum {
     }
 
     /// Parameter t of the lowest point along the direction, where the slope changes its sign.
-    fn lowest(&self, [a, b]: [f64; 2], direction: [f64; 2]) -> Option<f64> {
+    fn lowest_along(&self, [a, b]: [f64; 2], direction: [f64; 2]) -> Option<f64> {
         let mut slope = self.linear[0] * direction[0] + self.linear[1] * direction[1];
         let mut kinks = Vec::with_capacity(self.cells.len());
         for cell in &self.cells {
@@ -125,7 +125,7 @@ impl L1Sum {
         let lowest = if slope >= 0.0 {
             low
         } else {
-            turn(&mut kinks, slope).unwrap_or(high)
+            first_upward_kink(&mut kinks, slope).unwrap_or(high)
         };
         (low <= high)
             .then(|| lowest.clamp(low, high))
@@ -134,7 +134,7 @@ impl L1Sum {
 }
 
 /// Position of the first kink at which a slope below 0 reaches 0: it grows by twice the weight of each.
-fn turn(mut kinks: &mut [(f64, f64)], mut slope: f64) -> Option<f64> {
+fn first_upward_kink(mut kinks: &mut [(f64, f64)], mut slope: f64) -> Option<f64> {
     // Halves rather than all in order: one of them is done with each time.
     while kinks.len() > 1 {
         let middle = (kinks.len() - 1) / 2;

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// Largest zoom.
-const MOST: f64 = 50.0;
+const MAX_ZOOM: f64 = 50.0;
 
 /// Zoom and centre of a view of the sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -47,7 +47,7 @@ impl Sight {
     /// View with the zoom multiplied by `factor` around a point that stays in place; the whole sphere where the zoom
     /// would fall below 1.
     pub fn zoomed(self, factor: f64, point: [f64; 2]) -> Self {
-        let zoom = (self.zoom * factor).clamp(1.0, MOST);
+        let zoom = (self.zoom * factor).clamp(1.0, MAX_ZOOM);
         if zoom == 1.0 || !zoom.is_finite() {
             return Self::default();
         }
@@ -87,6 +87,6 @@ mod tests {
         };
         assert_eq!(odd(4.0, f64::NAN), Sight::default());
         assert_eq!(odd(-4.0, 0.5), Sight::default());
-        assert_eq!(odd(1e9, 7.0), odd(MOST, 1.0));
+        assert_eq!(odd(1e9, 7.0), odd(MAX_ZOOM, 1.0));
     }
 }

@@ -152,14 +152,18 @@ pub fn point_of(angles: HalfDiff, light: &Light) -> Option<((f64, f64), f64)> {
 /// Direction of the light whose mirror highlight is at a point of the picture; points outside count as the rim.
 pub fn light_for_highlight_at(x: f64, y: f64) -> DVec3 {
     let radius = x.hypot(y);
-    let scale = if radius > RIM { RIM / radius } else { 1.0 };
+    let scale = if radius > MAX_HIGHLIGHT_RADIUS {
+        MAX_HIGHLIGHT_RADIUS / radius
+    } else {
+        1.0
+    };
     let (x, y) = (x * scale, y * scale);
     let n = DVec3::new(x, y, (1.0 - x * x - y * y).sqrt());
     2.0 * n.z * n - VIEW
 }
 
 /// Largest radius to which a highlight is dragged. There the light is 176° from the viewer's axis.
-const RIM: f64 = 0.9994;
+const MAX_HIGHLIGHT_RADIUS: f64 = 0.9994;
 
 /// Point of the picture at which the mirror highlight of a light is.
 pub fn highlight_of(light: &Light) -> (f64, f64) {

@@ -40,12 +40,12 @@ pub fn reflectance(theta_i: f64, f_r: impl Fn(DVec3, DVec3) -> Option<Rgb>) -> R
             // In the square root of θh, as the bins are.
             let theta_h = t * t * FRAC_PI_2;
             let row = 2.0 * t * FRAC_PI_2 * weight * half;
-            let reach = reach(theta_i, theta_h);
+            let max_phi_h = max_phi_h(theta_i, theta_h);
             // As many as there are bins of φd on the way round.
-            let nodes = ((reach.to_degrees() * 2.0 * NODES_PER_DEGREE).ceil() as usize).max(8);
-            let step = 2.0 * reach / nodes as f64;
+            let nodes = ((max_phi_h.to_degrees() * 2.0 * NODES_PER_DEGREE).ceil() as usize).max(8);
+            let step = 2.0 * max_phi_h / nodes as f64;
             for k in 0..nodes {
-                let phi = (k as f64 + 0.5) * step - reach;
+                let phi = (k as f64 + 0.5) * step - max_phi_h;
                 let wh = direction(theta_h, phi);
                 let cos_d = wi.dot(wh);
                 let wo = 2.0 * cos_d * wh - wi;
@@ -75,7 +75,7 @@ const NODES_PER_DEGREE: f64 = 1.0;
 /// Largest |φh| from the plane of incidence before wo meets the horizon, in radians.
 ///
 /// cos θo = 2 (wi·wh) cos θh − cos θi = 0 where cos φh = −cot θi cot 2θh.
-fn reach(theta_i: f64, theta_h: f64) -> f64 {
+fn max_phi_h(theta_i: f64, theta_h: f64) -> f64 {
     let (sin_2h, cos_2h) = (2.0 * theta_h).sin_cos();
     let (sin_i, cos_i) = theta_i.sin_cos();
     let (above, below) = (-cos_i * cos_2h, sin_i * sin_2h);

@@ -165,7 +165,7 @@ pub fn read_header(reader: &mut impl Read, len: u64) -> Result<Grid, MerlError> 
     if found == 0 {
         return Err(MerlError::Empty);
     }
-    if let Some(what) = other_content(&header[..found]) {
+    if let Some(what) = known_format(&header[..found]) {
         return Err(MerlError::NotMerl(what));
     }
     if found < HEADER_BYTES {
@@ -195,7 +195,7 @@ pub fn read_header(reader: &mut impl Read, len: u64) -> Result<Grid, MerlError> 
 }
 
 /// Description of a usual file format that starts with these bytes; `None` for bytes that may be a MERL header.
-fn other_content(start: &[u8]) -> Option<&'static str> {
+fn known_format(start: &[u8]) -> Option<&'static str> {
     const KNOWN: [(&[u8], &str); 8] = [
         (b"\x89PNG", "it is a PNG image"),
         (b"\xff\xd8\xff", "it is a JPEG image"),

@@ -9,7 +9,7 @@ use crate::geom::color::luminance;
 /// 45° the Fresnel factor hardly changes.
 const NEAR_NORMAL: std::ops::Range<usize> = 5..45;
 /// Last bin of θ_h of the profile, at 45°: every pair with such a θ_d is above the horizon.
-const FOOT: usize = 63;
+const LAST_PROFILE_BIN: usize = 63;
 /// Smallest ratio of the peak's luminance to the least one for a highlight.
 const CONTRAST: f64 = 1.5;
 /// Steps in bins of θ_d and φ_d between the cells that are sampled for the mean reflectance.
@@ -19,7 +19,7 @@ impl Table {
     /// Half width at half maximum of the highlight in radians of θ_h: of the mean luminance over φ_d and over θ_d from
     /// 5° to 45°, above its least value up to 45°. `None` where no peak is 1.5 times as bright as that.
     pub fn highlight_half_width(&self) -> Option<f64> {
-        let profile: Vec<(f64, f64)> = (0..=FOOT)
+        let profile: Vec<(f64, f64)> = (0..=LAST_PROFILE_BIN)
             .filter_map(|h| {
                 let theta_h = self.grid().center(h, 0, 0).theta_h;
                 Some((theta_h, self.mean_luminance(h)?))
@@ -29,11 +29,11 @@ impl Table {
             .iter()
             .enumerate()
             .max_by(|(_, a), (_, b)| a.1.total_cmp(&b.1))?;
-        let foot = profile.iter().map(|row| row.1).fold(peak, f64::min);
-        if peak < CONTRAST * foot || peak <= 0.0 {
+        let base = profile.iter().map(|row| row.1).fold(peak, f64::min);
+        if peak < CONTRAST * base || peak <= 0.0 {
             return None;
         }
-        let half = 0.5 * (peak + foot);
+        let half = 0.5 * (peak + base);
         let pair = profile[top..].windows(2).find(|pair| pair[1].1 <= half)?;
         let [(from, above), (to, below)] = [pair[0], pair[1]];
         Some(from + (to - from) * (above - half) / (above - below))

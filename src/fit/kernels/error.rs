@@ -59,7 +59,7 @@ impl<const GRADIENT: bool> ErrorPass<'_, GRADIENT> {
                     let cos2 = Lanes::new(simd, *cos2);
                     let point = lanes.point(simd, cos2);
                     let weight = lanes.weight(cos2);
-                    let mut push = zero;
+                    let mut by_shape = zero;
                     let values = block_of::<S, MIRRORS>(values, vector);
                     for mirror in 0..MIRRORS {
                         let measured: [_; 3] = std::array::from_fn(|channel| {
@@ -74,18 +74,18 @@ impl<const GRADIENT: bool> ErrorPass<'_, GRADIENT> {
                                 // The sign of the residual, softened over a narrow band around 0.
                                 let width = band.mul_add(model, smallest);
                                 let sign = (model - measured[channel]) / size.max(width);
-                                push = (weight * specular[channel]).mul_add(sign, push);
+                                by_shape = (weight * specular[channel]).mul_add(sign, by_shape);
                             }
                         }
                     }
                     if GRADIENT {
-                        let pull = push * point.shape;
-                        by_eta = by_eta + pull;
-                        let pull = pull * lanes.s;
-                        by_s = pull.mul_add(point.ln, by_s);
+                        let by_ln_shape = by_shape * point.shape;
+                        by_eta = by_eta + by_ln_shape;
+                        let by_ln_base = by_ln_shape * lanes.s;
+                        by_s = by_ln_base.mul_add(point.ln, by_s);
                         // d ln(1 − v)/dα with v the versine of the base; at a base of 0 the slope has no bound.
                         let base = (splat(1.0) - point.versine).max(splat(1e-3));
-                        by_alpha = pull.mul_add((point.phong - versine4) / base, by_alpha);
+                        by_alpha = by_ln_base.mul_add((point.phong - versine4) / base, by_alpha);
                     }
                 }
                 if GRADIENT {

@@ -65,7 +65,7 @@ impl RegressionPass<'_> {
                         let weight = w1.mul_add(Lanes::new(simd, *cos2), w0);
                         let model = b.mul_add(x, a);
                         let width = band.mul_add(model, floor);
-                        let [mut push, mut inside, mut all] = [zero; 3];
+                        let [mut by_a, mut inside, mut all] = [zero; 3];
                         let values = block_of::<S, MIRRORS>(values, vector);
                         for mirror in 0..MIRRORS {
                             let plane = (3 * mirror + channel) * per_block::<S>();
@@ -75,12 +75,12 @@ impl RegressionPass<'_> {
                             let size = r.abs();
                             error = weight.mul_add(size, error);
                             let w = weight / size.max(width);
-                            push = w.mul_add(r, push);
+                            by_a = w.mul_add(r, by_a);
                             all = all + w;
                             inside = inside + w.where_le(size, width);
                         }
-                        slope[0] = slope[0] + push;
-                        slope[1] = push.mul_add(x, slope[1]);
+                        slope[0] = slope[0] + by_a;
+                        slope[1] = by_a.mul_add(x, slope[1]);
                         for (sums, w) in [(&mut curvature, inside), (&mut majorant, all)] {
                             let wx = w * x;
                             sums[0] = sums[0] + w;

@@ -59,23 +59,23 @@ impl<'a> Refinement<'a> {
 }
 
 /// Observer of a fit, shared by descents side by side.
-struct Watched<'w> {
+struct SharedWatch<'w> {
     watch: Watch<'w>,
-    shown: Option<FitProgress>,
+    last_report: Option<FitProgress>,
     stopped: bool,
 }
 
-impl Watched<'_> {
+impl SharedWatch<'_> {
     /// Reports an evaluation, with its model where that is better than the last reported. Returns whether to go on.
-    fn tell(&mut self, error: f64, brdf: impl FnOnce() -> Brdf) -> bool {
-        let Some(shown) = self.shown.as_mut().filter(|_| !self.stopped) else {
+    fn report(&mut self, error: f64, brdf: impl FnOnce() -> Brdf) -> bool {
+        let Some(last_report) = self.last_report.as_mut().filter(|_| !self.stopped) else {
             return !self.stopped;
         };
-        shown.evaluations += 1;
-        if error < shown.error {
-            (shown.brdf, shown.error, shown.all_cells) = (brdf(), error, false);
+        last_report.evaluations += 1;
+        if error < last_report.error {
+            (last_report.brdf, last_report.error, last_report.all_cells) = (brdf(), error, false);
         }
-        self.stopped = (self.watch)(shown).is_break();
+        self.stopped = (self.watch)(last_report).is_break();
         !self.stopped
     }
 }
@@ -86,30 +86,35 @@ impl<'a> StagedFit<'a, '_> {
     pub(super) fn descend_side_by_side(
         &mut self,
         starts: impl Iterator<Item = (Candidate, Option<DMat3>)>,
-        level: &Refinement,
-        follow: AmplitudeRule,
+        refinement: &Refinement,
+        rule: AmplitudeRule,
     ) -> Vec<(Candidate, Option<DMat3>)> {
         let starts: Vec<_> = starts.collect();
-        let rules = self.rules(level);
+        let rules = self.rules(refinement);
         let (space, options) = (&self.space, self.options);
-        let watched = Mutex::new(Watched {
+        let watched = Mutex::new(SharedWatch {
             watch: &mut *self.watch,
-            shown: self.shown,
+            last_report: self.last_report,
             stopped: self.cancelled,
         });
         let mut ends: Vec<_> = starts
             .par_iter()
             .map(|(start, curvature)| {
                 let fresnel = space.variant.fresnel;
-                let mut objective =
-                    Objective::new(level.cells, fresnel, follow, Some(start), level.threads);
+                let mut objective = Objective::new(
+                    refinement.cells,
+                    fresnel,
+                    rule,
+                    Some(start),
+                    refinement.threads,
+                );
                 let mut evaluate = |p: DVec3| {
                     let value = objective.value(p.to_array());
                     let best = objective.best?;
                     let brdf = || space.variant.with(space.params(&best, options));
                     // What another thread left is whole: a watcher that panics ends them all.
                     let mut watched = watched.lock().unwrap_or_else(PoisonError::into_inner);
-                    watched.tell(best.error, brdf).then_some(value)
+                    watched.report(best.error, brdf).then_some(value)
                 };
                 let from = DVec3::from_array(start.point);
                 let end = descent::descend(from, *curvature, &rules, &mut evaluate);
@@ -119,7 +124,7 @@ impl<'a> StagedFit<'a, '_> {
             })
             .collect();
         let watched = watched.into_inner().unwrap_or_else(PoisonError::into_inner);
-        (self.shown, self.cancelled) = (watched.shown, watched.stopped);
+        (self.last_report, self.cancelled) = (watched.last_report, watched.stopped);
         self.evaluations += ends.iter().map(|end| end.2).sum::<usize>();
         ends.sort_by(|a, b| a.0.error.total_cmp(&b.0.error));
         ends.into_iter()
@@ -128,15 +133,15 @@ impl<'a> StagedFit<'a, '_> {
     }
 
     /// Runs a descent on the larger sample and then one on all cells.
-    pub(super) fn descend_levels(&mut self, start: &Candidate, follow: AmplitudeRule) -> Candidate {
+    pub(super) fn descend_levels(&mut self, start: &Candidate, rule: AmplitudeRule) -> Candidate {
         let near = std::iter::once((*start, None));
         let alone = Refinement {
             threads: Threads::Many,
             ..Refinement::medium(self.problem)
         };
-        let ends = self.descend_side_by_side(near, &alone, follow);
+        let ends = self.descend_side_by_side(near, &alone, rule);
         match ends.first() {
-            Some((end, curvature)) if !self.cancelled => self.descend_all(end, *curvature, follow),
+            Some((end, curvature)) if !self.cancelled => self.descend_all(end, *curvature, rule),
             Some((end, _)) => *end,
             None => *start,
         }
@@ -147,15 +152,15 @@ impl<'a> StagedFit<'a, '_> {
         &mut self,
         start: &Candidate,
         curvature: Option<DMat3>,
-        follow: AmplitudeRule,
+        rule: AmplitudeRule,
     ) -> Candidate {
-        let level = if self.is_last() {
+        let refinement = if self.is_last() {
             Refinement::last(self.problem)
         } else {
             Refinement::all(self.problem)
         };
-        let rules = self.rules(&level);
-        let mut objective = self.objective(level.cells, follow, Some(start));
+        let rules = self.rules(&refinement);
+        let mut objective = self.objective(refinement.cells, rule, Some(start));
         let mut evaluate = |p: DVec3| {
             let value = objective.value(p.to_array());
             self.evaluations += 1;
@@ -176,11 +181,11 @@ impl<'a> StagedFit<'a, '_> {
         objective.best.unwrap_or(*start)
     }
 
-    fn rules(&self, level: &Refinement) -> Rules {
+    fn rules(&self, refinement: &Refinement) -> Rules {
         Rules {
             bounds: self.space.bounds,
-            tolerance: level.tolerance,
-            evaluations: level.evaluations,
+            tolerance: refinement.tolerance,
+            evaluations: refinement.evaluations,
             first_step: 0.15,
         }
     }
@@ -188,15 +193,9 @@ impl<'a> StagedFit<'a, '_> {
     pub(super) fn objective(
         &self,
         cells: &'a SymmetricCells,
-        follow: AmplitudeRule,
+        rule: AmplitudeRule,
         near: Option<&Candidate>,
     ) -> Objective<'a> {
-        Objective::new(
-            cells,
-            self.space.variant.fresnel,
-            follow,
-            near,
-            Threads::Many,
-        )
+        Objective::new(cells, self.space.variant.fresnel, rule, near, Threads::Many)
     }
 }

@@ -1,7 +1,7 @@
 //! Synthetic measurement of a sample material on the MERL grid, with noise and with gaps at the horizon.
 
 use super::SyntheticMaterial;
-use super::surface::ground;
+use super::surface::diffuse_ground;
 use crate::geom::Rgb;
 use crate::measured::{Grid, Table};
 
@@ -56,7 +56,7 @@ pub fn measure(sample: &SyntheticMaterial) -> Table {
                         cos_theta_o.max(SMALLEST_COSINE),
                     )
                 });
-                cells[phi] = noise.spoil(f_r, lower.max(0.0));
+                cells[phi] = noise.apply(f_r, lower.max(0.0));
             }
         }
     }
@@ -65,8 +65,8 @@ pub fn measure(sample: &SyntheticMaterial) -> Table {
 
 /// f_r in 1/sr before noise, linear RGB.
 fn exact(sample: &SyntheticMaterial, lobes: &[Rgb], cos_theta_i: f64, cos_theta_o: f64) -> Rgb {
-    let ground = ground(sample.coat, cos_theta_i, cos_theta_o);
-    let mut f_r = sample.albedo.map(|albedo| albedo * ground);
+    let diffuse_ground = diffuse_ground(sample.coat, cos_theta_i, cos_theta_o);
+    let mut f_r = sample.albedo.map(|albedo| albedo * diffuse_ground);
     for ((_, lobe), of_angles) in sample.lobes.iter().zip(lobes) {
         let of_cosines = lobe.of_cosines(cos_theta_i, cos_theta_o);
         for (f_r, of_angles) in f_r.iter_mut().zip(of_angles) {
@@ -96,7 +96,7 @@ impl Noise {
     }
 
     /// f_r with noise. The noise multiplies and is bounded, so that nothing becomes negative.
-    fn spoil(&self, f_r: Rgb, lower_cosine: f64) -> [f32; 3] {
+    fn apply(&self, f_r: Rgb, lower_cosine: f64) -> [f32; 3] {
         let grazing = (1.0 - lower_cosine).powi(8);
         let amount = 1.0 + (NOISE_AT_HORIZON - 1.0) * grazing;
         std::array::from_fn(|k| {

@@ -159,7 +159,7 @@ impl SlopeDistribution {
 }
 
 /// f_r per albedo of a diffuse ground below an interface, in 1/sr: light is refracted in and out.
-pub fn ground(coat: Interface, cos_theta_i: f64, cos_theta_o: f64) -> f64 {
+pub fn diffuse_ground(coat: Interface, cos_theta_i: f64, cos_theta_o: f64) -> f64 {
     let enters = |cos| 1.0 - fresnel(cos, coat.eta[0], 0.0);
     enters(cos_theta_i) * enters(cos_theta_o) / (PI * enters(COS_45).powi(2))
 }
