@@ -174,7 +174,7 @@ pub struct Param {
     pub default: f64,
     /// Scale of the slider.
     pub scale: Scale,
-    /// Tooltip: one sentence.
+    /// Description in one sentence.
     pub help: &'static str,
 }
 

@@ -48,7 +48,7 @@ impl ModelFormat {
         }
     }
 
-    /// Tooltip: one phrase.
+    /// Description in one phrase.
     pub fn help(self) -> &'static str {
         match self {
             Self::Merl => {

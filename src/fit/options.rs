@@ -38,7 +38,7 @@ impl Weight {
         }
     }
 
-    /// Tooltip: one sentence.
+    /// Description in one sentence.
     pub fn help(self) -> &'static str {
         match self {
             Self::Cells => {

@@ -45,7 +45,7 @@ impl Sight {
     }
 
     /// View with the zoom multiplied by `factor` around a point that stays in place; the whole sphere where the zoom
-    /// would fall below 1.
+    /// would not exceed 1.
     pub fn zoomed(self, factor: f64, point: [f64; 2]) -> Self {
         let zoom = (self.zoom * factor).clamp(1.0, MAX_ZOOM);
         if zoom == 1.0 || !zoom.is_finite() {

@@ -48,7 +48,7 @@ pub struct LightPreset {
     pub key: &'static str,
     /// Display name, e.g. "Glancing and grazing".
     pub name: &'static str,
-    /// Tooltip: one phrase.
+    /// Description in one phrase.
     pub help: &'static str,
     /// Makes the lights of the set.
     pub lights: fn() -> Vec<Light>,
