@@ -45,7 +45,7 @@ pub struct Landscape {
     pub s: Vec<f64>,
     /// Blends α from 0 to 1, evenly, ascending.
     pub alpha: Vec<f64>,
-    /// Nodes at s + `s.len()` · α, both as indices.
+    /// Nodes: that of the exponent i and the blend j is at i + `s.len()` · j.
     pub nodes: Vec<Node>,
     /// The best node with its ρ_d and k_s solved on all cells, and its E there; `None` while finer grids are to come.
     pub best: Option<(Brdf, f64)>,
