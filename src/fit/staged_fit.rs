@@ -264,8 +264,8 @@ impl<'a, 'w> StagedFit<'a, 'w> {
         found
     }
 
-    /// Candidate at the end of a descent with its amplitudes solved exactly, or merely measured where the fit was
-    /// cancelled.
+    /// End of a descent with its amplitudes solved on all cells, exactly in the last stage; merely measured where the fit
+    /// was cancelled.
     fn solved_end(&self, end: Candidate, limits: &AmplitudeBounds) -> Best {
         if self.cancelled {
             self.measure(end)
