@@ -8,7 +8,7 @@
 
 use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
 use grazing::fit::options::NO_LIMIT;
-use grazing::fit::{Options, Problem, Variant, Weight, fit, fit_all};
+use grazing::fit::{FitOptions, Problem, Stage, StageSet, Variant, Weight, fit, fit_all};
 use grazing::geom::Rgb;
 use grazing::measured::{Grid, SAMPLES, Table};
 use rayon::prelude::*;
@@ -81,15 +81,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     let variant = Variant::from(&brdf);
     let all = Variant::all(Fresnel::Exact);
-    let staged = Options {
-        stages: [true, true, true, false],
-        ..Options::default()
+    let staged = FitOptions {
+        stages: StageSet::POSTER,
+        ..FitOptions::default()
     };
-    let joint = Options {
-        stages: [false, false, false, true],
-        ..Options::default()
+    let joint = FitOptions {
+        stages: StageSet::from_iter([Stage::Joint]),
+        ..FitOptions::default()
     };
-    let every = Options::default();
+    let every = FitOptions::default();
     for (name, options) in [
         ("stages 1-3", staged),
         ("stage 4", joint),
@@ -146,7 +146,7 @@ fn memory_of_fits(table: &Table) -> Result<Option<f64>, Box<dyn std::error::Erro
     let before = read("VmRSS:");
     let problem = Problem::new(table, Weight::Cosine, NO_LIMIT)?;
     let variants = Variant::all(Fresnel::Exact);
-    fit_all(&problem, &variants, &Options::default(), &mut |_, _| {
+    fit_all(&problem, &variants, &FitOptions::default(), &mut |_, _| {
         ControlFlow::Continue(())
     });
     Ok(read("VmHWM:")
@@ -157,7 +157,7 @@ fn memory_of_fits(table: &Table) -> Result<Option<f64>, Box<dyn std::error::Erro
 /// Milliseconds from the moment that a fit of all six is told to stop, at a share of its time, to its return.
 fn stop_delay(problem: &Problem, share: f64) -> f64 {
     let variants = Variant::all(Fresnel::Exact);
-    let options = Options::default();
+    let options = FitOptions::default();
     let whole = timed(|| {
         fit_all(problem, &variants, &options, &mut |_, _| {
             ControlFlow::Continue(())

@@ -1,4 +1,4 @@
-//! Directional albedo: the share of the light from one direction that a model sends back.
+//! Directional albedo of a model: the share of the light from one direction that it reflects.
 //!
 //! Glossy lobes are needles, and at grazing angles slivers: the quadrature is laid out around the mirror direction.
 
@@ -15,7 +15,7 @@ pub fn albedo(brdf: &Brdf, theta_i: f64) -> Rgb {
     std::array::from_fn(|k| brdf.params.rho_d[k] + brdf.params.k_s[k] * specular)
 }
 
-/// ∫ R_F · lobe · cos θo dωo.
+/// Specular part for k_s = 1: ∫ R_F · lobe · cos θo dωo.
 ///
 /// In polar coordinates (ψ, β) around the peak: ψ is the angle between wo and wr, where a Phong lobe is round, or
 /// twice θh, where a Blinn-Phong lobe is round. β = 0 points down to the horizon. In both
@@ -35,13 +35,14 @@ fn specular_integral(brdf: &Brdf, theta_i: f64) -> f64 {
     2.0 * sum
 }
 
-/// The lobe of one direction of incidence, in coordinates in which it is as round as can be.
+/// Integrand for one direction of incidence, in polar coordinates around the peak in which the lobe is as round as can
+/// be.
 struct Peak<'a> {
     brdf: &'a Brdf,
     wi: DVec3,
     cos_theta_i: f64,
     sin_theta_i: f64,
-    /// The exponent and the blend as the combined model means them.
+    /// Exponent s of the combined model.
     s: f64,
     alpha: f64,
     /// Whether ψ is 2 θh instead of the angle to wr.
@@ -67,7 +68,7 @@ impl<'a> Peak<'a> {
         peak
     }
 
-    /// How many times sharper the lobe's peak is curved in one direction than in the other.
+    /// Ratio, ≥ 1, of the curvatures of the lobe's peak along the two axes of these coordinates.
     ///
     /// Near the peak the lobe is 1 − 2s (u² + (α + (1−α) cos² θi) v²), with u the tilt of wh in the plane of
     /// incidence and v across; wo is moved by 2u and by 2v cos θi.
@@ -81,7 +82,7 @@ impl<'a> Peak<'a> {
         }
     }
 
-    /// ∫ over ψ at one β.
+    /// ∫ of the integrand over ψ at one β.
     fn along_ray(&self, beta: f64) -> f64 {
         let (sin_beta, cos_beta) = beta.sin_cos();
         let horizon = self.cos_theta_i.atan2(self.sin_theta_i * cos_beta);
@@ -116,7 +117,7 @@ impl<'a> Peak<'a> {
         sum
     }
 
-    /// Where along a ray wr·wo is 0, as the clamp puts a kink there.
+    /// ψ at which wr·wo reaches 0 along a ray, where the clamp makes a kink; `horizon` where it does not.
     fn end_of_phong(&self, sin_beta: f64, cos_beta: f64, horizon: f64) -> f64 {
         if !self.by_half_vector {
             return horizon.min(FRAC_PI_2);
@@ -134,7 +135,7 @@ impl<'a> Peak<'a> {
         low
     }
 
-    /// wo, and dωo / (dψ dβ).
+    /// View direction wo at (ψ, β), and the Jacobian dωo / (dψ dβ).
     fn at(&self, psi: f64, sin_beta: f64, cos_beta: f64) -> (DVec3, f64) {
         let (c, s) = (self.cos_theta_i, self.sin_theta_i);
         if self.by_half_vector {
@@ -163,7 +164,7 @@ impl<'a> Peak<'a> {
     }
 }
 
-/// Goes on from the last of `breaks` in growing steps, the first of length `fine`, and ends at `to`.
+/// Appends breaks from the last of `breaks` to `to` in growing steps, the first of length `fine`.
 fn breaks_upwards(breaks: &mut Vec<f64>, to: f64, fine: f64, growth: f64) {
     let start = breaks.last().copied().unwrap_or(0.0);
     let mut step = fine;
@@ -174,14 +175,14 @@ fn breaks_upwards(breaks: &mut Vec<f64>, to: f64, fine: f64, growth: f64) {
     breaks.push(to);
 }
 
-/// The same breaks once more, from `end` downwards.
+/// Appends the breaks mirrored: `end` − b for each b but the last, in descending order of b.
 fn breaks_mirrored(breaks: &mut Vec<f64>, end: f64) {
     for k in (0..breaks.len() - 1).rev() {
         breaks.push(end - breaks[k]);
     }
 }
 
-/// What is left of a lobe when its tail is no longer followed. The Fresnel factor may be 1e9 times larger there.
+/// Value of the lobe below which its tail is not integrated. The Fresnel factor may be 1e9 times larger there.
 const NEGLIGIBLE: f64 = 1e-20;
 
 /// Nodes and weights of Gauss-Legendre with six points on [−1, 1]; the other half is mirrored.
@@ -191,7 +192,7 @@ const GAUSS: [(f64, f64); 3] = [
     (0.932_469_514_203_152, 0.171_324_492_379_170_4),
 ];
 
-/// ∫ f over the panels between the breaks.
+/// ∫ f over the panels between the breaks, by six-point Gauss-Legendre on each.
 fn panels(breaks: &[f64], f: impl Fn(f64) -> f64) -> f64 {
     let mut sum = 0.0;
     for pair in breaks.windows(2) {

@@ -3,28 +3,28 @@
 use crate::keys;
 use serde::{Deserialize, Serialize};
 
-/// Which reflectance R_F(wi·wh, η) multiplies the specular term.
+/// Reflectance R_F(wi·wh, η) that multiplies the specular term.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Fresnel {
-    /// 1.
+    /// R_F = 1.
     None,
-    /// The Fresnel equations, averaged over polarisation.
+    /// The Fresnel equations for unpolarised light [CookTorrance82].
     Exact,
     /// Schlick's approximation [Schlick94] with R_F(0) = ((η−1)/(η+1))².
     Schlick,
 }
 
-/// All choices in the order in which they are offered, which is also their number on the GPU.
+/// All Fresnel factors in the order in which they are offered, which is also their index on the GPU.
 pub const FRESNELS: [Fresnel; 3] = [Fresnel::None, Fresnel::Exact, Fresnel::Schlick];
 
 impl Fresnel {
-    /// Name in files and on the command line.
+    /// Name in files and on the command line, e.g. "exact".
     pub fn key(self) -> &'static str {
         keys::key_at::<Self>(self as usize)
     }
 
-    /// Name on screen.
+    /// Display name, e.g. "Exact".
     pub fn name(self) -> &'static str {
         match self {
             Self::None => "None",
@@ -33,7 +33,7 @@ impl Fresnel {
         }
     }
 
-    /// What it is and where it stands; empty for none.
+    /// Formula in words with the key of its source; empty for [`Fresnel::None`].
     pub fn source(self) -> &'static str {
         match self {
             Self::None => "",
@@ -42,12 +42,12 @@ impl Fresnel {
         }
     }
 
-    /// The choice whose `key` this is.
+    /// The Fresnel factor with this `key`.
     pub fn by_key(key: &str) -> Option<Self> {
         keys::by_key(key)
     }
 
-    /// Position in [`FRESNELS`].
+    /// Index in [`FRESNELS`].
     pub fn index(self) -> usize {
         self as usize
     }

@@ -1,7 +1,7 @@
 //! A BRDF as a JSON object: `{"model": …, "fresnel": …, "rho_d": [r,g,b], …}`.
 //!
-//! The keys are those of the rows. A parameter that the model does not have may be null or absent; `fresnel` is
-//! `none` where absent. Other keys are left alone, so that richer files (a fit with its error, say) open too.
+//! Keys of parameters are those of their rows. A parameter that the model does not have may be null or absent;
+//! `fresnel` is `none` where absent. Other keys are ignored, so that richer files (a fit with its error, say) open too.
 
 use super::fresnel::{FRESNELS, Fresnel};
 use super::model::{Brdf, Model};
@@ -10,15 +10,15 @@ use super::params::Params;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value, json};
 
-/// Why a JSON value is no BRDF: one clear sentence.
+/// Error of a JSON value that is no BRDF: one sentence.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
 pub struct BrdfJsonError(String);
 
-/// Reads one object.
+/// Reads a BRDF from a JSON object.
 ///
 /// # Errors
-/// Says which key is missing, of the wrong kind or out of range, and what was expected.
+/// Names the key that is missing, of the wrong kind or out of range, and what was expected.
 pub fn from_value(value: &Value) -> Result<Brdf, BrdfJsonError> {
     let fail = |text: String| Err(BrdfJsonError(text));
     let Some(object) = value.as_object() else {
@@ -104,7 +104,7 @@ pub fn from_value(value: &Value) -> Result<Brdf, BrdfJsonError> {
     Ok(brdf)
 }
 
-/// Writes one object; parameters that do not count are null.
+/// JSON object of a BRDF; parameters that do not count are null.
 pub fn to_value(brdf: &Brdf) -> Value {
     let mut object = Map::new();
     object.insert("model".into(), json!(brdf.model.key));
@@ -121,24 +121,24 @@ pub fn to_value(brdf: &Brdf) -> Value {
 }
 
 impl Serialize for Brdf {
-    /// As [`to_value`].
+    /// Serializes as [`to_value`].
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         to_value(self).serialize(serializer)
     }
 }
 
 impl<'de> Deserialize<'de> for Brdf {
-    /// As [`from_value`].
+    /// Deserializes as [`from_value`].
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let value = Value::deserialize(deserializer)?;
         from_value(&value).map_err(serde::de::Error::custom)
     }
 }
 
-/// Takes one BRDF out of a text that holds an object or an array of objects.
+/// Reads one BRDF from a JSON text that is an object or an array of objects; `index` counts from 0.
 ///
 /// # Errors
-/// Says where the text is no JSON, that the index is past the end, or what is wrong with the object.
+/// Invalid JSON, an index past the end, and the errors of [`from_value`].
 pub fn from_text(text: &str, index: usize) -> Result<Brdf, BrdfJsonError> {
     let value: Value = serde_json::from_str(text)
         .map_err(|error| BrdfJsonError(format!("not valid JSON: {error}")))?;
@@ -158,7 +158,8 @@ pub fn from_text(text: &str, index: usize) -> Result<Brdf, BrdfJsonError> {
     }
 }
 
-/// Other keys are left alone, but not those that are a known one but for capitals and dashes: `Fresnel`, `k-s`.
+/// Rejects keys that differ from a known one only in capitals, dashes, underscores or spaces: `Fresnel`, `k-s`. Others
+/// pass.
 fn reject_misspelt_keys(object: &Map<String, Value>) -> Result<(), BrdfJsonError> {
     let bare = |key: &str| key.to_lowercase().replace(['-', '_', ' '], "");
     let rows = super::params::ALL.iter().map(|row| row.key);

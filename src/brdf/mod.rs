@@ -17,7 +17,7 @@ pub use albedo::albedo;
 pub use fresnel::Fresnel;
 pub use model::{Brdf, Model};
 pub use models::{BLINN_PHONG, COMBINED, MODELS, PHONG};
-pub use params::{Param, ParamId, Params};
+pub use params::{Param, ParamId, Params, PerParam};
 
 #[cfg(test)]
 mod tests;

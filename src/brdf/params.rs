@@ -1,8 +1,9 @@
-//! The parameters of the models as rows of a table.
+//! Parameters of the models: their values, and a row of properties for each.
 
 use crate::geom::Rgb;
+use std::ops::{Index, IndexMut};
 
-/// The numbers of a BRDF. ρ_d and k_s are linear RGB; s, α, η are shared by the channels.
+/// Parameter values of a BRDF. ρ_d and k_s are linear RGB; s, α, η are shared by the channels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Params {
     /// Diffuse reflectance ρ_d, ≥ 0.
@@ -11,14 +12,14 @@ pub struct Params {
     pub k_s: Rgb,
     /// Specular exponent, > 0.
     pub s: f64,
-    /// Weight of the Blinn-Phong cosine in the combined model, in [0, 1].
+    /// Blend α: weight of the Blinn-Phong cosine in the combined model, in [0, 1].
     pub alpha: f64,
-    /// Relative index of refraction, ≥ 1.
+    /// Relative index of refraction η, ≥ 1.
     pub eta: f64,
 }
 
 impl Params {
-    /// A parameter's values: three for a colour, one otherwise.
+    /// Values of a parameter: three for a colour, one otherwise.
     pub fn get(&self, id: ParamId) -> &[f64] {
         match id {
             ParamId::RhoD => &self.rho_d,
@@ -29,7 +30,7 @@ impl Params {
         }
     }
 
-    /// The same, to be written.
+    /// Mutable values of a parameter: three for a colour, one otherwise.
     pub fn get_mut(&mut self, id: ParamId) -> &mut [f64] {
         match id {
             ParamId::RhoD => &mut self.rho_d,
@@ -57,28 +58,28 @@ impl Default for Params {
     }
 }
 
-/// Which parameter.
+/// Identity of a parameter; the order is that of [`ALL`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum ParamId {
-    /// ρ_d
+    /// Diffuse reflectance ρ_d.
     RhoD,
-    /// k_s
+    /// Specular amplitude k_s.
     KS,
-    /// s
+    /// Specular exponent s.
     S,
-    /// α
+    /// Lobe blend α.
     Alpha,
-    /// η
+    /// Relative index of refraction η.
     Eta,
 }
 
 impl ParamId {
-    /// Whether the parameter has a value per channel.
+    /// Whether the parameter has a value per channel: ρ_d and k_s.
     pub fn is_color(self) -> bool {
         matches!(self, Self::RhoD | Self::KS)
     }
 
-    /// The key of the parameter in files and shaders.
+    /// Name of the parameter in files and shaders, e.g. "rho_d".
     pub fn key(self) -> &'static str {
         ALL.iter()
             .find(|row| row.id == self)
@@ -86,45 +87,99 @@ impl ParamId {
     }
 }
 
-/// How a slider divides its way.
+/// A value of one type for each parameter; indexed by [`ParamId`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PerParam<T> {
+    /// Value for the diffuse reflectance ρ_d.
+    pub rho_d: T,
+    /// Value for the specular amplitude k_s.
+    pub k_s: T,
+    /// Value for the specular exponent s.
+    pub s: T,
+    /// Value for the lobe blend α.
+    pub alpha: T,
+    /// Value for the relative index of refraction η.
+    pub eta: T,
+}
+
+impl<T> PerParam<T> {
+    /// Values made from the row of each parameter in [`ALL`], in that order.
+    pub fn from_rows(mut of: impl FnMut(&Param) -> T) -> Self {
+        Self {
+            rho_d: of(&RHO_D),
+            k_s: of(&K_S),
+            s: of(&S),
+            alpha: of(&ALPHA),
+            eta: of(&ETA),
+        }
+    }
+}
+
+impl<T> Index<ParamId> for PerParam<T> {
+    type Output = T;
+
+    fn index(&self, id: ParamId) -> &T {
+        match id {
+            ParamId::RhoD => &self.rho_d,
+            ParamId::KS => &self.k_s,
+            ParamId::S => &self.s,
+            ParamId::Alpha => &self.alpha,
+            ParamId::Eta => &self.eta,
+        }
+    }
+}
+
+impl<T> IndexMut<ParamId> for PerParam<T> {
+    fn index_mut(&mut self, id: ParamId) -> &mut T {
+        match id {
+            ParamId::RhoD => &mut self.rho_d,
+            ParamId::KS => &mut self.k_s,
+            ParamId::S => &mut self.s,
+            ParamId::Alpha => &mut self.alpha,
+            ParamId::Eta => &mut self.eta,
+        }
+    }
+}
+
+/// Scale of a slider: how values are spread along it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scale {
-    /// Evenly.
+    /// Linear.
     Linear,
-    /// Evenly in the logarithm, down to the given decade, with 0 at the end where the range starts at 0.
+    /// Logarithmic, down to the given decade, with 0 at the end where the range starts at 0.
     Log {
         /// log10 of the smallest positive value on the slider.
         smallest_exponent: i32,
     },
 }
 
-/// One parameter: what it is called and what it may be.
+/// Properties of a parameter: names, unit, range, default.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Param {
-    /// Which one.
+    /// Identity of the parameter.
     pub id: ParamId,
-    /// Name in files and on the command line.
+    /// Name in files and on the command line, e.g. "k_s".
     pub key: &'static str,
-    /// The symbol, in the markup of [`crate::figure::text`].
+    /// Symbol, in the markup of [`crate::figure::text`].
     pub symbol: &'static str,
-    /// Name on screen.
+    /// Display name, e.g. "specular amplitude".
     pub name: &'static str,
-    /// Unit, empty where there is none.
+    /// Unit, e.g. "1/sr"; empty where there is none.
     pub unit: &'static str,
-    /// Ends of the slider.
+    /// Range of the slider, (smallest, largest).
     pub range: (f64, f64),
-    /// What is accepted at all, when typed or read.
+    /// Range of accepted values when typed or read, (smallest, largest).
     pub domain: (f64, f64),
-    /// Where a reset leads.
+    /// Default value, which a reset restores.
     pub default: f64,
-    /// How the slider divides its way.
+    /// Scale of the slider.
     pub scale: Scale,
-    /// One sentence for people.
+    /// Description in one sentence.
     pub help: &'static str,
 }
 
 impl Param {
-    /// The nearest accepted value; the default in place of NaN.
+    /// Nearest accepted value; the default in place of NaN.
     pub fn clamp(&self, value: f64) -> f64 {
         if value.is_nan() {
             self.default
@@ -133,13 +188,13 @@ impl Param {
         }
     }
 
-    /// Whether a value is accepted.
+    /// Whether a value is finite and within the domain.
     pub fn accepts(&self, value: f64) -> bool {
         value.is_finite() && (self.domain.0..=self.domain.1).contains(&value)
     }
 }
 
-/// ρ_d
+/// Row of the diffuse reflectance ρ_d.
 pub const RHO_D: Param = Param {
     id: ParamId::RhoD,
     key: "rho_d",
@@ -153,7 +208,7 @@ pub const RHO_D: Param = Param {
     help: "Share of the light that is scattered evenly in all directions.",
 };
 
-/// k_s
+/// Row of the specular amplitude k_s.
 pub const K_S: Param = Param {
     id: ParamId::KS,
     key: "k_s",
@@ -169,7 +224,7 @@ pub const K_S: Param = Param {
     help: "Height of the specular lobe before the Fresnel factor.",
 };
 
-/// s
+/// Row of the specular exponent s.
 pub const S: Param = Param {
     id: ParamId::S,
     key: "s",
@@ -185,7 +240,7 @@ pub const S: Param = Param {
     help: "Shininess: the larger, the narrower the highlight.",
 };
 
-/// α
+/// Row of the lobe blend α.
 pub const ALPHA: Param = Param {
     id: ParamId::Alpha,
     key: "alpha",
@@ -199,7 +254,7 @@ pub const ALPHA: Param = Param {
     help: "0 is Phong, 1 is Blinn-Phong with the exponent 4s.",
 };
 
-/// η
+/// Row of the relative index of refraction η.
 pub const ETA: Param = Param {
     id: ParamId::Eta,
     key: "eta",
@@ -213,5 +268,5 @@ pub const ETA: Param = Param {
     help: "Relative index of refraction in the Fresnel factor: the smaller, the steeper the rise towards grazing.",
 };
 
-/// Every parameter that some model has; the order of the uniform on the GPU.
+/// Rows of all parameters of all models, in the order of the uniform on the GPU.
 pub const ALL: [Param; 5] = [RHO_D, K_S, S, ALPHA, ETA];

@@ -18,7 +18,7 @@ fn brdf(key: &str, fresnel: Fresnel, s: f64, alpha: f64) -> Brdf {
     }
 }
 
-/// The definitions of the models, written out with vectors and nothing of this crate.
+/// Lobes of the models from their definitions, written out with vectors and without this crate.
 fn closed_form(key: &str, wi: DVec3, wo: DVec3, p: &Params) -> f64 {
     let n = DVec3::Z;
     let wr = 2.0 * wi.dot(n) * n - wi;

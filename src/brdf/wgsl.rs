@@ -1,15 +1,16 @@
-//! The models as shader text, put together from the rows, and the uniform that carries their numbers.
+//! WGSL source of all models, put together from their rows, and the uniform that holds a BRDF.
 
 use super::model::Brdf;
 use super::models::MODELS;
 use super::params::{self, ParamId};
 use std::fmt::Write as _;
 
-/// The number of 16-byte slots that a BRDF takes in a uniform: one per parameter and one for what is chosen.
+/// Number of 16-byte slots of a BRDF in a uniform: one per parameter, and one for model and Fresnel factor.
 pub const UNIFORM_SLOTS: usize = params::ALL.len() + 1;
 
-/// A BRDF as `array<vec4f, BRDF_SLOTS>` to upload, which `brdf_from_slots` of [`source`] reads: every parameter has a slot
-/// of its own. Numbers are brought into the parameter's domain, on which the shader makes no inf or NaN.
+/// Uniform `array<vec4f, BRDF_SLOTS>` of a BRDF, which `brdf_from_slots` of [`source`] reads: one slot per parameter,
+/// in the order of [`params::ALL`]. Values are clamped to the parameter's domain, on which the shader makes no inf or
+/// NaN.
 ///
 /// An array of vectors, since it lies in memory the same way everywhere: on GL, members of a struct are packed without
 /// regard to `@align`.
@@ -30,8 +31,8 @@ pub fn uniform(brdf: &Brdf) -> [[f32; 4]; UNIFORM_SLOTS] {
     slots
 }
 
-/// WGSL that defines `struct Params`, `struct Brdf`, every lobe, `fn eval_brdf(b: Brdf, c: Cosines) -> vec3f`, the twin of
-/// [`Brdf::eval`], and `fn brdf_from_slots(slots: array<vec4f, BRDF_SLOTS>) -> Brdf`.
+/// WGSL source that defines `struct Params`, `struct Brdf`, every lobe, `fn eval_brdf(b: Brdf, c: Cosines) -> vec3f`,
+/// the twin of [`Brdf::eval`], and `fn brdf_from_slots(slots: array<vec4f, BRDF_SLOTS>) -> Brdf`.
 pub fn source() -> String {
     let mut text = String::from("struct Params {\n");
     for row in &params::ALL {

@@ -8,7 +8,7 @@ use crate::brdf::fresnel::FRESNELS;
 use crate::brdf::{Fresnel, MODELS, Model, params};
 use crate::files::fits::{FitRecord, write_csv, write_json};
 use crate::files::{self, FileError, place, write_atomically};
-use crate::fit::{Options, Partial, Problem, Variant, WEIGHTS, Weight, fit_all};
+use crate::fit::{FitOptions, Partial, Problem, StageSet, Variant, WEIGHTS, Weight, fit_all};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser as _};
 use progress::Bar;
 use std::io::Write;
@@ -58,7 +58,7 @@ pub struct Args {
     /// 1: rho_d and k_s, exactly. 2: s, alpha and eta. 3: s, alpha, eta and k_s. 4: all parameters together, from
     /// several starts. The first three are the staged fit of Nielsen et al. (2014); the fourth is never worse.
     #[arg(long, default_value = "1,2,3,4", value_name = "NUMBERS", value_parser = parse::stages, allow_hyphen_values = true)]
-    stages: [bool; 4],
+    stages: StageSet,
     /// Where the stages begin, instead of at what the data say: s=30,alpha=0.5,eta=1.5
     ///
     /// Any of rho_d, k_s, s, alpha, eta; a colour is one number or three: k_s=1:2:3. Models without a parameter do
@@ -156,19 +156,19 @@ impl Args {
             .collect()
     }
 
-    fn options(&self) -> Options {
-        Options {
+    fn options(&self) -> FitOptions {
+        FitOptions {
             stages: self.stages,
             start: self.start.unwrap_or_default(),
             held: self.hold.unwrap_or_default(),
-            ..Options::default()
+            ..FitOptions::default()
         }
     }
 
     /// What is wrong with the options taken together.
     fn check(&self, variants: &[Variant]) -> Result<(), CliError> {
         let usage = |text: String| Err(CliError::Usage("fit", text));
-        let Options { start, held, .. } = self.options();
+        let FitOptions { start, held, .. } = self.options();
         for row in &params::ALL {
             let (starts, held) = (start.has(row.id), held.has(row.id));
             if starts && held {

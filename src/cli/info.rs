@@ -2,7 +2,7 @@
 
 use super::CliError;
 use crate::files;
-use crate::files::fits::Entry;
+use crate::files::fits::FitEntry;
 use serde_json::json;
 use std::io::Write;
 use std::ops::ControlFlow;
@@ -65,9 +65,9 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<(), CliError> {
 }
 
 /// A row per model; `index` is what `grazing eval --index` takes.
-fn models(entries: &[Entry], as_json: bool, out: &mut dyn Write) -> Result<(), CliError> {
+fn models(entries: &[FitEntry], as_json: bool, out: &mut dyn Write) -> Result<(), CliError> {
     if as_json {
-        let row = |(index, entry): (usize, &Entry)| {
+        let row = |(index, entry): (usize, &FitEntry)| {
             json!({
                 "index": index, "material": entry.material, "model": entry.brdf.model.key,
                 "fresnel": entry.brdf.fresnel.key(), "error": entry.error,
@@ -77,7 +77,7 @@ fn models(entries: &[Entry], as_json: bool, out: &mut dyn Write) -> Result<(), C
         writeln!(out, "{:#}", json!(rows))?;
         return Ok(());
     }
-    let material = |entry: &Entry| entry.material.clone().unwrap_or("–".into());
+    let material = |entry: &FitEntry| entry.material.clone().unwrap_or("–".into());
     let width = entries.iter().map(|entry| material(entry).chars().count());
     let width = width.chain([8]).max().unwrap_or(0);
     writeln!(out, "index  {:width$}  model        fresnel  E", "material")?;

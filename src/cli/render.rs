@@ -138,8 +138,8 @@ fn sphere_source(args: &Args) -> Result<SphereSource, FileError> {
     let shown = |index| {
         let source = files::open_source(&args.source, index, &mut |_| ControlFlow::Continue(()))?;
         Ok(match source {
-            files::Source::Table(table) => Source::Measured(table, args.lookup),
-            files::Source::Brdf(brdf) => Source::Model(brdf),
+            files::OpenedSource::Table(table) => Source::Measured(table, args.lookup),
+            files::OpenedSource::Brdf(brdf) => Source::Model(brdf),
         })
     };
     let Some(split) = &args.split else {

@@ -2,7 +2,7 @@
 
 use super::CliError;
 use crate::files::write_atomically;
-use crate::measured::{SAMPLES, Sample, merl};
+use crate::measured::{SAMPLES, SyntheticMaterial, merl};
 use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
@@ -31,7 +31,7 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<(), CliError> {
     let (Some(name), Some(output)) = (&args.name, &args.output) else {
         return list(args.json, out);
     };
-    let Some(sample) = Sample::by_key(name) else {
+    let Some(sample) = SyntheticMaterial::by_key(name) else {
         let known: Vec<_> = SAMPLES.iter().map(|sample| sample.key).collect();
         let known = known.join(", ");
         return Err(CliError::Other(format!(

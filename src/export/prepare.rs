@@ -8,7 +8,7 @@ use crate::figure::page::{Page, draw};
 use crate::figure::subject::{Look, Source, Subject};
 use crate::files::fits::SourceFile;
 use crate::files::{self, FileError};
-use crate::measured::{Lookup, Sample, Table};
+use crate::measured::{Lookup, SyntheticMaterial, Table};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -110,7 +110,7 @@ pub fn open_from_files(
             if let Some(table) = known.get(&place) {
                 return Ok(Arc::clone(table));
             }
-            let sample = Sample::by_key(key).ok_or_else(|| {
+            let sample = SyntheticMaterial::by_key(key).ok_or_else(|| {
                 ExportError::Other(format!(
                     "unknown sample {key:?}; `grazing sample --list` shows them"
                 ))

@@ -1,11 +1,11 @@
-//! Why a file could not be used.
+//! Errors of files.
 
 use crate::measured::merl::MerlError;
 use std::fmt;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-/// What is wrong with a file. Shown as one line with the path last.
+/// Error of a file. Shown as one line with the path last.
 #[derive(Debug)]
 pub struct FileError {
     path: PathBuf,
@@ -14,7 +14,7 @@ pub struct FileError {
 }
 
 impl FileError {
-    /// What is wrong, what was expected.
+    /// Error with a text that says what is wrong and what was expected.
     pub fn new(path: &Path, what: impl Into<String>) -> Self {
         Self {
             path: path.to_owned(),
@@ -23,7 +23,7 @@ impl FileError {
         }
     }
 
-    /// An error of the operating system, in plain words; `doing` says what failed where there are none.
+    /// Error of the operating system, in plain words; `doing` says what failed where there are none.
     pub fn io(path: &Path, doing: &str, error: &io::Error) -> Self {
         let what = match error.kind() {
             ErrorKind::NotFound => "there is no such file or directory".into(),
@@ -37,7 +37,7 @@ impl FileError {
         Self::new(path, what)
     }
 
-    /// What the reader of MERL files says.
+    /// Error of the reader of MERL files.
     pub fn merl(path: &Path, error: MerlError) -> Self {
         match error {
             MerlError::Io(error) => Self::io(path, "reading failed", &error),
@@ -48,17 +48,17 @@ impl FileError {
         }
     }
 
-    /// The file.
+    /// Path of the file.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// What is wrong, in one line and without the path.
+    /// Reason in one line, without the path.
     pub fn reason(&self) -> String {
         one_line(&self.what)
     }
 
-    /// Whether it is no error at all: `progress` said stop.
+    /// Whether reading was cancelled by `progress`, which is no error to show.
     pub fn is_cancelled(&self) -> bool {
         self.cancelled
     }
@@ -71,7 +71,7 @@ impl fmt::Display for FileError {
     }
 }
 
-/// Names and contents of files may hold line breaks and worse; the message is one line.
+/// Text in one line: control characters, which names and contents of files may hold, are escaped.
 pub(super) fn one_line(text: &str) -> String {
     let mut line = String::with_capacity(text.len());
     for c in text.chars() {

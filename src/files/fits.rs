@@ -1,4 +1,4 @@
-//! Fit files: what was fitted, how, and what came out, for the window and the command line alike.
+//! Fit files: material, options and result of fits, for the window and the command line alike.
 //!
 //! A fit file is a JSON array with an object per fit; `docs/formats.md` documents its keys. Each object is also a model that
 //! [`crate::brdf::json`] reads. A CSV of the same fits is written for spreadsheets and not read.
@@ -11,7 +11,7 @@ mod record;
 pub use csv::write_csv;
 pub use json::{entries, from_value, to_value, write_json};
 pub use materials::{MaterialFits, best_of, by_material};
-pub use record::{Entry, FitRecord, SourceFile, StageRecord};
+pub use record::{FitEntry, FitRecord, SourceFile, StageRecord};
 
 #[cfg(test)]
 mod tests;

@@ -1,4 +1,4 @@
-//! What is in a folder: names at once, and what each file is without reading all of it.
+//! Listing of a folder: names at once, and the kind of each file without reading all of it.
 
 use super::error::{FileError, one_line};
 use super::fits::{self, MaterialFits};
@@ -10,19 +10,19 @@ use std::iter::Peekable;
 use std::path::{Path, PathBuf};
 use std::str::Chars;
 
-/// What a file is, as far as its beginning and its length say.
+/// Kind of a file, as far as its beginning and its length tell.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Content {
-    /// A MERL file of the right length.
+pub enum FileContent {
+    /// MERL file of the right length.
     Measured,
-    /// Models as JSON, by material.
+    /// JSON file with models, grouped by material.
     Models(Vec<MaterialFits>),
 }
 
-/// The files and folders in a folder, hidden ones left out, in the order a person expects: see [`natural_order`].
+/// Files and folders in a folder, hidden ones left out, sorted by [`natural_order`].
 ///
 /// # Errors
-/// One line that says why the folder cannot be read.
+/// Says in one line why the folder cannot be read.
 pub fn list(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     let cannot = |error| FileError::io(folder, "cannot read the folder", &error);
     let mut named = Vec::new();
@@ -37,17 +37,17 @@ pub fn list(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     Ok(named.into_iter().map(|(_, path)| path).collect())
 }
 
-/// The name of a file as it is shown: one line, whatever is in it.
+/// Name of a file on screen: one line, with control characters escaped.
 pub fn shown_name(path: &Path) -> String {
     let name = path.file_name().unwrap_or(path.as_os_str());
     one_line(&name.to_string_lossy())
 }
 
-/// Looks at the header and the length of a MERL file, or reads a JSON file.
+/// Determines the kind of a file from the header and length of a MERL file, or from a whole JSON file.
 ///
 /// # Errors
-/// Why it is neither.
-pub fn inspect(path: &Path) -> Result<Content, FileError> {
+/// Says why it is neither.
+pub fn inspect(path: &Path) -> Result<FileContent, FileError> {
     let (mut file, len) = open(path)?;
     if let Some(text) = json_text(&mut file, path)? {
         if session::is_session(&text) {
@@ -55,14 +55,14 @@ pub fn inspect(path: &Path) -> Result<Content, FileError> {
             return Err(FileError::new(path, what));
         }
         let entries = fits::entries(&text).map_err(|what| FileError::new(path, what))?;
-        return Ok(Content::Models(fits::by_material(path, entries)));
+        return Ok(FileContent::Models(fits::by_material(path, entries)));
     }
     merl::read_header(&mut file, len)
-        .map(|_| Content::Measured)
+        .map(|_| FileContent::Measured)
         .map_err(|error| FileError::merl(path, error))
 }
 
-/// Orders names without regard to case, with numbers by their value: a2, A10, b.
+/// Order of names without regard to case, with numbers by their value: a2, A10, b.
 pub fn natural_order(a: &str, b: &str) -> Ordering {
     let (mut left, mut right) = (a.chars().peekable(), b.chars().peekable());
     loop {
@@ -85,7 +85,7 @@ pub fn natural_order(a: &str, b: &str) -> Ordering {
     }
 }
 
-/// The digits ahead without leading zeros: of two of them the longer one is the larger number.
+/// Digits ahead without leading zeros: of two of them the longer one is the larger number.
 fn number(chars: &mut Peekable<Chars>) -> String {
     let mut digits = String::new();
     while let Some(digit) = chars.next_if(char::is_ascii_digit) {
@@ -147,7 +147,7 @@ mod tests {
         let length = merl::byte_count(crate::measured::Grid::FOLDED);
         let file = std::fs::File::options().write(true).open(&good);
         file.and_then(|file| file.set_len(length)).expect("long");
-        assert_eq!(inspect(&good).expect("good"), Content::Measured);
+        assert_eq!(inspect(&good).expect("good"), FileContent::Measured);
         for (path, words) in [
             (write("short.binary", &header), "truncated"),
             (write("text.txt", b"hello, world"), "it is a text"),
@@ -161,7 +161,7 @@ mod tests {
         }
         let model = br#"{"model": "phong", "rho_d": [1, 0, 0], "k_s": [1, 2, 4], "s": 3}"#;
         let models = inspect(&write("model.json", model)).expect("a model");
-        assert!(matches!(models, Content::Models(all) if all.len() == 1));
+        assert!(matches!(models, FileContent::Models(all) if all.len() == 1));
         write(".hidden", b"");
         let names: Vec<String> = list(folder.path())
             .expect("listed")

@@ -15,7 +15,7 @@ pub use error::FileError;
 pub use fits::SourceFile;
 pub use model_export::{MODEL_FORMATS, ModelFormat};
 pub use open::{
-    Json, Progress, Source, identify, open_json, open_measured, open_model, open_models,
+    Json, OnProgress, OpenedSource, identify, open_json, open_measured, open_model, open_models,
     open_source, open_table, read_text,
 };
 pub use paths::{absolute, material_name, place};

@@ -1,4 +1,4 @@
-//! Models as files for other programs.
+//! Export of models as files for other programs.
 
 use super::error::FileError;
 use crate::brdf::{Brdf, codegen};
@@ -6,20 +6,20 @@ use crate::measured::{Grid, merl, tabulate};
 use std::io::{self, Write};
 use std::path::Path;
 
-/// A kind of file that a model is exported as.
+/// File format of an exported model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModelFormat {
-    /// A measured file of the model.
+    /// MERL file with the model's values at the centres of the cells.
     Merl,
-    /// For Disney's BRDF Explorer.
+    /// `.brdf` file for Disney's BRDF Explorer.
     Disney,
-    /// A function to paste.
+    /// WGSL function to paste.
     Wgsl,
-    /// The same in GLSL.
+    /// GLSL function to paste.
     Glsl,
 }
 
-/// All kinds in the order in which they are offered.
+/// All formats in the order in which they are offered.
 pub const MODEL_FORMATS: [ModelFormat; 4] = [
     ModelFormat::Merl,
     ModelFormat::Disney,
@@ -28,7 +28,7 @@ pub const MODEL_FORMATS: [ModelFormat; 4] = [
 ];
 
 impl ModelFormat {
-    /// Name on the command line.
+    /// Name on the command line, e.g. "merl".
     pub fn key(self) -> &'static str {
         match self {
             Self::Merl => "merl",
@@ -38,7 +38,7 @@ impl ModelFormat {
         }
     }
 
-    /// Name on screen.
+    /// Display name, e.g. "MERL file".
     pub fn name(self) -> &'static str {
         match self {
             Self::Merl => "MERL file",
@@ -48,7 +48,7 @@ impl ModelFormat {
         }
     }
 
-    /// One sentence.
+    /// Description in one phrase.
     pub fn help(self) -> &'static str {
         match self {
             Self::Merl => {
@@ -60,7 +60,7 @@ impl ModelFormat {
         }
     }
 
-    /// Extension of its files, without the dot.
+    /// File name extension, without the dot.
     pub fn extension(self) -> &'static str {
         match self {
             Self::Merl => "binary",
@@ -70,17 +70,17 @@ impl ModelFormat {
         }
     }
 
-    /// Whether people can read it.
+    /// Whether the format is text.
     pub fn is_text(self) -> bool {
         self != Self::Merl
     }
 
-    /// The kind whose `key` this is.
+    /// The format with this `key`.
     pub fn by_key(key: &str) -> Option<Self> {
         MODEL_FORMATS.into_iter().find(|format| format.key() == key)
     }
 
-    /// The kind that a path's extension names.
+    /// The format that a path's extension names.
     ///
     /// # Errors
     /// Names the extensions that are expected.
@@ -97,10 +97,10 @@ impl ModelFormat {
             })
     }
 
-    /// Writes a model. Texts name the material.
+    /// Writes a model; a text names the `material`.
     ///
     /// # Errors
-    /// What the writer says.
+    /// Errors of the writer.
     pub fn write(
         self,
         brdf: &Brdf,
@@ -116,7 +116,7 @@ impl ModelFormat {
         writer.write_all(text.as_bytes())
     }
 
-    /// The name that is proposed for a file: `teflon_combined-exact.wgsl`.
+    /// Proposed file name, e.g. `teflon_combined-exact.wgsl`.
     pub fn file_name(self, brdf: &Brdf, material: &str) -> String {
         let fresnel = match brdf.fresnel.key() {
             "none" => String::new(),
@@ -127,7 +127,7 @@ impl ModelFormat {
     }
 }
 
-/// A name as a part of a file's name: letters, digits, dashes, dots and underscores.
+/// Name as a part of a file name: letters, digits, dashes, dots and underscores.
 fn name_part(name: &str) -> String {
     let kept = |c: char| c.is_alphanumeric() || matches!(c, '-' | '.' | '_');
     let parts: Vec<&str> = name

@@ -1,4 +1,4 @@
-//! Opening measured files, models and fit files; the content says which it is, not the name.
+//! Opening of measured files, models and fit files; the kind is told by the content, not by the name.
 
 use super::error::FileError;
 use super::fits::{self, SourceFile};
@@ -15,20 +15,21 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
 
-/// Called with the share that is done, in [0, 1]; may stop the work.
-pub type Progress<'a> = &'a mut dyn FnMut(f32) -> ControlFlow<()>;
+/// Observer of a long read, called with the share done, in [0, 1]; may stop it.
+pub type OnProgress<'a> = &'a mut dyn FnMut(f32) -> ControlFlow<()>;
 
-/// Something that has an f_r: a measurement or a model.
+/// Source of f_r: a measurement or a model.
 #[derive(Clone, Debug)]
-pub enum Source {
-    /// A MERL file.
+pub enum OpenedSource {
+    /// Measured table of a MERL file.
     Table(Arc<Table>),
-    /// A JSON object with a model and its parameters.
+    /// Model of a JSON file.
     Brdf(Brdf),
 }
 
-impl Source {
-    /// f_r of (wi, wo) in 1/sr; `None` below the horizon of either and where nothing was measured.
+impl OpenedSource {
+    /// f_r of the unit vectors (wi, wo) in 1/sr, linear RGB; `None` below the horizon of either and where nothing was
+    /// measured.
     pub fn eval(&self, wi: DVec3, wo: DVec3, lookup: Lookup) -> Option<Rgb> {
         match self {
             Self::Table(table) => table.lookup(wi, wo, lookup),
@@ -40,17 +41,17 @@ impl Source {
 /// Opens a MERL file.
 ///
 /// # Errors
-/// One line that says what is wrong, what was expected and, last, the path.
-pub fn open_table(path: &Path, progress: Progress) -> Result<Table, FileError> {
+/// Says in one line what is wrong, what was expected and, last, the path.
+pub fn open_table(path: &Path, progress: OnProgress) -> Result<Table, FileError> {
     let (file, len) = open(path)?;
     read_table(file, len, path, progress)
 }
 
-/// Opens a MERL file and says which it is.
+/// Opens a MERL file; returns it with its identity.
 ///
 /// # Errors
-/// As [`open_table`].
-pub fn open_measured(path: &Path, progress: Progress) -> Result<(Table, SourceFile), FileError> {
+/// Errors of [`open_table`].
+pub fn open_measured(path: &Path, progress: OnProgress) -> Result<(Table, SourceFile), FileError> {
     let (file, len) = open(path)?;
     let mut file = Hashing::new(file);
     let table =
@@ -58,10 +59,10 @@ pub fn open_measured(path: &Path, progress: Progress) -> Result<(Table, SourceFi
     Ok((table, file.finish(path, len)))
 }
 
-/// Which file this is, whatever it holds.
+/// Identity of a file of any content.
 ///
 /// # Errors
-/// As [`open_table`].
+/// Errors of [`open_table`].
 pub fn identify(path: &Path) -> Result<SourceFile, FileError> {
     let (file, len) = open(path)?;
     let mut file = Hashing::new(file);
@@ -70,19 +71,19 @@ pub fn identify(path: &Path) -> Result<SourceFile, FileError> {
     Ok(file.finish(path, len))
 }
 
-/// What a JSON file holds.
+/// Content of a JSON file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Json {
-    /// Models with what the file says around them.
-    Models(Vec<fits::Entry>),
-    /// The text of a session.
+    /// Entries of models or fits.
+    Models(Vec<fits::FitEntry>),
+    /// Text of a session.
     Session(String),
 }
 
-/// What is in a JSON file; `None` if the file is something else.
+/// Reads a JSON file; `None` if the file is something else.
 ///
 /// # Errors
-/// As [`open_table`].
+/// Errors of [`open_table`].
 pub fn open_json(path: &Path) -> Result<Option<Json>, FileError> {
     let (mut file, _) = open(path)?;
     let Some(text) = json_text(&mut file, path)? else {
@@ -95,11 +96,11 @@ pub fn open_json(path: &Path) -> Result<Option<Json>, FileError> {
     Ok(Some(Json::Models(entries)))
 }
 
-/// The models of a JSON file; `None` if the file is something else.
+/// Entries of a JSON file with models; `None` if the file is something else.
 ///
 /// # Errors
-/// As [`open_table`], and for a session.
-pub fn open_models(path: &Path) -> Result<Option<Vec<fits::Entry>>, FileError> {
+/// Errors of [`open_table`]; a session.
+pub fn open_models(path: &Path) -> Result<Option<Vec<fits::FitEntry>>, FileError> {
     match open_json(path)? {
         None => Ok(None),
         Some(Json::Models(entries)) => Ok(Some(entries)),
@@ -107,11 +108,11 @@ pub fn open_models(path: &Path) -> Result<Option<Vec<fits::Entry>>, FileError> {
     }
 }
 
-/// The model at `index` (from 0) of a JSON file with what it says around it.
+/// Entry `index` (from 0) of a JSON file with models.
 ///
 /// # Errors
-/// As [`open_table`]; a measured file is no model.
-pub fn open_model(path: &Path, index: usize) -> Result<fits::Entry, FileError> {
+/// Errors of [`open_table`]; a measured file is no model.
+pub fn open_model(path: &Path, index: usize) -> Result<fits::FitEntry, FileError> {
     let Some(mut entries) = open_models(path)? else {
         let what = "this is no JSON file; expected a model or a fit file, which `grazing fit` makes of measured files";
         return Err(FileError::new(path, what));
@@ -124,11 +125,15 @@ pub fn open_model(path: &Path, index: usize) -> Result<fits::Entry, FileError> {
     Err(FileError::new(path, what))
 }
 
-/// Opens a MERL file, or the model at `index` (from 0) of a JSON file. Which of them it is, the content says.
+/// Opens a MERL file, or the model at `index` (from 0) of a JSON file; the content tells which.
 ///
 /// # Errors
-/// As [`open_table`].
-pub fn open_source(path: &Path, index: usize, progress: Progress) -> Result<Source, FileError> {
+/// Errors of [`open_table`].
+pub fn open_source(
+    path: &Path,
+    index: usize,
+    progress: OnProgress,
+) -> Result<OpenedSource, FileError> {
     let (mut file, len) = open(path)?;
     if let Some(text) = json_text(&mut file, path)? {
         if session::is_session(&text) {
@@ -136,19 +141,19 @@ pub fn open_source(path: &Path, index: usize, progress: Progress) -> Result<Sour
         }
         let brdf = brdf::json::from_text(&text, index)
             .map_err(|error| FileError::new(path, error.to_string()))?;
-        return Ok(Source::Brdf(brdf));
+        return Ok(OpenedSource::Brdf(brdf));
     }
     if index > 0 && len > 0 {
         let text = format!("there is no entry {index}; only a JSON file with an array has entries");
         return Err(FileError::new(path, text));
     }
-    read_table(file, len, path, progress).map(|table| Source::Table(Arc::new(table)))
+    read_table(file, len, path, progress).map(|table| OpenedSource::Table(Arc::new(table)))
 }
 
-/// The text of a small file.
+/// Text of a file of at most 64 MiB.
 ///
 /// # Errors
-/// As [`open_table`], and where it is no text.
+/// Errors of [`open_table`]; a file that is no UTF-8 text or larger.
 pub fn read_text(path: &Path) -> Result<String, FileError> {
     const MOST: u64 = 64 << 20;
     let (mut file, len) = open(path)?;
@@ -161,7 +166,7 @@ pub fn read_text(path: &Path) -> Result<String, FileError> {
     rest_as_text(&mut file, path)
 }
 
-/// What is left of a file, without a byte order mark.
+/// Remaining text of a file, without a byte order mark.
 fn rest_as_text(file: &mut File, path: &Path) -> Result<String, FileError> {
     let mut bytes = Vec::new();
     file.read_to_end(&mut bytes)
@@ -171,7 +176,7 @@ fn rest_as_text(file: &mut File, path: &Path) -> Result<String, FileError> {
     Ok(text.trim_start_matches('\u{feff}').to_owned())
 }
 
-/// Opens a regular file for reading; returns it with its length.
+/// Opens a regular file for reading; returns it with its length in bytes.
 pub(super) fn open(path: &Path) -> Result<(File, u64), FileError> {
     let cannot = |error| FileError::io(path, "cannot open the file", &error);
     // Before opening: a pipe would wait for its writer.
@@ -188,11 +193,11 @@ pub(super) fn open(path: &Path) -> Result<(File, u64), FileError> {
     Ok((File::open(path).map_err(cannot)?, metadata.len()))
 }
 
-fn read_table(file: File, len: u64, path: &Path, progress: Progress) -> Result<Table, FileError> {
+fn read_table(file: File, len: u64, path: &Path, progress: OnProgress) -> Result<Table, FileError> {
     merl::read(file, len, progress).map_err(|error| FileError::merl(path, error))
 }
 
-/// The text of a JSON file; `None` if it is something else.
+/// Text of a JSON file; `None` if the file is something else.
 pub(super) fn json_text(file: &mut File, path: &Path) -> Result<Option<String>, FileError> {
     let found = starts_as_json(file);
     if found.map_err(|error| FileError::io(path, "reading failed", &error))? {
@@ -202,7 +207,7 @@ pub(super) fn json_text(file: &mut File, path: &Path) -> Result<Option<String>, 
     }
 }
 
-/// A reader that hashes what goes through it.
+/// Reader that hashes the bytes that go through it.
 struct Hashing {
     file: File,
     hasher: Sha256,
@@ -216,7 +221,7 @@ impl Hashing {
         }
     }
 
-    /// The file, of which all was read.
+    /// Identity of the file, after all of it was read.
     fn finish(self, path: &Path, len: u64) -> SourceFile {
         let digest = self.hasher.finalize();
         SourceFile {
@@ -235,7 +240,7 @@ impl Read for Hashing {
     }
 }
 
-/// Whether the first byte that is no blank opens a JSON object or array. Leaves the file at its start.
+/// Whether the first byte that is no white space opens a JSON object or array. Leaves the file at its start.
 fn starts_as_json(file: &mut File) -> std::io::Result<bool> {
     let mut start = Vec::new();
     file.by_ref().take(4096).read_to_end(&mut start)?;

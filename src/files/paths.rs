@@ -1,13 +1,13 @@
-//! Paths: from the root on, of the file that they lead to, and the name of a material in one.
+//! Absolute and canonical paths, and material names from paths.
 
 use std::path::{Path, PathBuf};
 
-/// The path from the root on, links as they are; as it is where the current directory is gone.
+/// Absolute path with links unresolved; the path unchanged where the current directory is gone.
 pub fn absolute(path: &Path) -> PathBuf {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }
 
-/// The same for two paths that lead to the same file, also where it is not there yet.
+/// Canonical path, equal for two paths that lead to the same file, also where the file does not exist yet.
 pub fn place(path: &Path) -> PathBuf {
     let path = absolute(path);
     if let Ok(place) = path.canonicalize() {
@@ -22,7 +22,7 @@ pub fn place(path: &Path) -> PathBuf {
     }
 }
 
-/// What a material is called: its file's name without the extension.
+/// Name of a file's material: the file name without its extension.
 pub fn material_name(path: &Path) -> String {
     path.file_stem()
         .unwrap_or(path.as_os_str())

@@ -1,32 +1,32 @@
-//! Session files as far as the file system goes: what tells one from other JSON, and where its materials may be.
+//! Session files as far as the file system goes: how they are told from other JSON, and paths of their materials.
 //!
-//! What is in one is the window's affair; `docs/formats.md` documents its keys.
+//! The window interprets their content; `docs/formats.md` documents its keys.
 
 use super::fits::SourceFile;
 use super::paths::{absolute, material_name};
 use serde::{Deserialize, Serialize};
 use std::path::{Component, Path, PathBuf};
 
-/// The key that every session has; its value is the version of the format.
+/// Key that every session has; its value is the version of the format.
 pub const KEY: &str = "grazing_session";
-/// How the name of a session file ends.
+/// Ending of the name of a session file.
 pub const ENDING: &str = ".grazing.json";
-/// What is said of a session where models are wanted.
+/// Message for a session where models are expected.
 pub(super) const NO_MODELS: &str =
     "this is a session; expected models or measured data; grazing FILE opens it in the window";
 
-/// Whether a JSON text is a session; a truncated one is one too.
+/// Whether a JSON text is a session, even a truncated one.
 pub fn is_session(text: &str) -> bool {
     text.trim_start().starts_with('{') && text.contains(&format!("\"{KEY}\""))
 }
 
-/// Whether a file is a session by its name.
+/// Whether a file has the name of a session.
 pub fn has_ending(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     name.to_lowercase().ends_with(ENDING)
 }
 
-/// The name of a session: that of its file without the ending.
+/// Name of a session: that of its file without the ending.
 pub fn name(path: &Path) -> String {
     let stem = material_name(path);
     match stem.strip_suffix(".grazing") {
@@ -35,21 +35,21 @@ pub fn name(path: &Path) -> String {
     }
 }
 
-/// A measured file as a session names it.
+/// Measured file as named by a session.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SavedSource {
-    /// Its path from the root on.
+    /// Absolute path of the file.
     pub path: String,
-    /// Its path from the folder of the session file on, with `/` between the parts; `None` where there is none.
+    /// Path relative to the folder of the session file, with `/` between the parts; `None` where there is none.
     #[serde(default)]
     pub relative: Option<String>,
-    /// Its length.
+    /// Length of the file in bytes; `None` where not known.
     #[serde(default)]
     pub bytes: Option<u64>,
-    /// SHA-256 of its bytes in hexadecimal.
+    /// SHA-256 of the file's bytes in hexadecimal; `None` where not known.
     #[serde(default)]
     pub sha256: Option<String>,
-    /// What `relative` leads to, where that is not `path`.
+    /// Path that `relative` leads to, where that is not `path`.
     #[serde(skip)]
     pub beside: Option<PathBuf>,
 }
@@ -67,7 +67,7 @@ impl From<&SourceFile> for SavedSource {
 }
 
 impl SavedSource {
-    /// The same for the rest of the program.
+    /// Identity of the file.
     pub fn file(&self) -> SourceFile {
         SourceFile {
             path: self.path.clone(),
@@ -76,14 +76,14 @@ impl SavedSource {
         }
     }
 
-    /// Sets the relative path for a session in this folder.
+    /// Sets the relative path for a session file in this folder.
     pub fn place_in(&mut self, folder: &Path) {
         let to = self.beside.as_deref().unwrap_or(Path::new(&self.path));
         self.relative = relative(folder, to);
     }
 
-    /// The places where it may be, in the order in which to look, seen from the folder of the session: its relative
-    /// path, its path from the root on, its name in that folder.
+    /// Paths at which the file may be, in the order in which to look, without repeats: its path relative to the
+    /// session's `folder`, its absolute path, its name in that folder.
     pub fn places(&self, folder: &Path) -> Vec<PathBuf> {
         let mut places = Vec::new();
         if let Some(relative) = &self.relative {
@@ -105,7 +105,8 @@ impl SavedSource {
     }
 }
 
-/// The way from a folder to a file; `None` where there is none, as between two drives.
+/// Relative path from a folder to a file, with `/` between the parts; `None` where there is none, as between two
+/// drives.
 fn relative(folder: &Path, file: &Path) -> Option<String> {
     let (folder, file) = (tidy(&absolute(folder)), tidy(file));
     let (from, to): (Vec<_>, Vec<_>) = (folder.components().collect(), file.components().collect());
@@ -120,7 +121,7 @@ fn relative(folder: &Path, file: &Path) -> Option<String> {
     Some(up.chain(down).collect::<Vec<_>>().join("/"))
 }
 
-/// A path without `.` and `..`, as far as that can be said without looking at the disk.
+/// Path without `.` and `..`, resolved without looking at the disk.
 fn tidy(path: &Path) -> PathBuf {
     let mut tidy = PathBuf::new();
     for part in path.components() {

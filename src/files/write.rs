@@ -1,4 +1,4 @@
-//! Writing whole files or nothing.
+//! Atomic writing of whole files.
 
 use super::error::FileError;
 use std::fs;
@@ -6,11 +6,11 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
-/// Writes a file beside its place and moves it there when it is complete: nobody sees half a file, and what was there
-/// before is kept when anything fails. An existing file is refused unless `force`.
+/// Writes a file under a temporary name in its folder and renames it when it is complete: no half-written file is ever
+/// visible, and an existing file is kept when anything fails. An existing file is refused unless `force`.
 ///
 /// # Errors
-/// One line that says what is wrong and, last, the path.
+/// Says in one line what is wrong and, last, the path.
 pub fn write_atomically(
     path: &Path,
     force: bool,
@@ -41,10 +41,10 @@ pub fn write_atomically(
     Ok(())
 }
 
-/// Whether [`write_atomically`] would begin, as far as one can know without writing: said before long work.
+/// Checks whether [`write_atomically`] could begin, as far as is known without writing: for an error before long work.
 ///
 /// # Errors
-/// Those of [`write_atomically`].
+/// Errors of [`write_atomically`].
 pub fn check_writable(path: &Path, force: bool) -> Result<(), FileError> {
     prepare(path, force).map(|_| ())
 }
@@ -53,7 +53,8 @@ fn exists(path: &Path) -> FileError {
     FileError::new(path, "the file exists already; --force replaces it")
 }
 
-/// The place that is written to, what is there, and an empty file beside it that is gone when dropped.
+/// Canonical path to write to, metadata of an existing file, and an empty temporary file beside it that is removed when
+/// dropped.
 fn prepare(
     path: &Path,
     force: bool,

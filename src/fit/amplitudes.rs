@@ -1,36 +1,38 @@
-//! ρ_d/π and k_s per channel as the fit counts them: values, bounds, and the way to the parameters of a model.
+//! Amplitudes ρ_d/π and k_s per channel in the units of the fit: values, bounds, and conversion to the parameters of a
+//! model.
 
 use crate::brdf::Params;
 use std::f64::consts::PI;
 
-/// Diffuse and specular amplitudes per channel, in units of [`SymmetricCells::scale`]: ρ_d/π and k_s.
+/// Amplitudes ρ_d/π and k_s per channel, in units of `SymmetricCells::scale`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Amplitudes {
-    /// ρ_d/π
+    /// ρ_d/π per channel.
     pub diffuse: [f64; 3],
-    /// k_s
+    /// k_s per channel.
     pub specular: [f64; 3],
 }
 
 impl Amplitudes {
-    /// Both of a channel.
+    /// Amplitudes [ρ_d/π, k_s] of a channel.
     #[inline(always)]
     pub fn of(&self, channel: usize) -> [f64; 2] {
         [self.diffuse[channel], self.specular[channel]]
     }
 }
 
-/// Bounds of the amplitudes in units of [`SymmetricCells::scale`], the same for all channels unless held.
+/// Bounds of the amplitudes in units of `SymmetricCells::scale`, (smallest, largest); the same for all channels unless
+/// held.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AmplitudeBounds {
-    /// Of ρ_d/π per channel.
+    /// Bounds of ρ_d/π per channel.
     pub diffuse: [(f64, f64); 3],
-    /// Of k_s per channel.
+    /// Bounds of k_s per channel.
     pub specular: [(f64, f64); 3],
 }
 
 impl AmplitudeBounds {
-    /// No room at all.
+    /// Bounds that hold the amplitudes fixed: both ends alike.
     pub fn holding(amplitudes: &Amplitudes) -> Self {
         Self {
             diffuse: amplitudes.diffuse.map(|a| (a, a)),
@@ -38,12 +40,12 @@ impl AmplitudeBounds {
         }
     }
 
-    /// The bounds of a and b of a channel.
+    /// Bounds of [ρ_d/π, k_s] of a channel.
     pub fn of(&self, channel: usize) -> [(f64, f64); 2] {
         [self.diffuse[channel], self.specular[channel]]
     }
 
-    /// The nearest amplitudes within.
+    /// The nearest amplitudes within the bounds.
     pub fn clamp(&self, mut amplitudes: Amplitudes) -> Amplitudes {
         for channel in 0..3 {
             let [a, b] = self.of(channel);
@@ -54,17 +56,17 @@ impl AmplitudeBounds {
     }
 }
 
-/// What an amplitude of 1 is in each parameter.
+/// Units of the amplitudes: the parameter values of an amplitude of 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AmplitudeUnits {
-    /// In ρ_d.
+    /// ρ_d at a diffuse amplitude of 1.
     pub rho_d: f64,
-    /// In k_s.
+    /// k_s in 1/sr at a specular amplitude of 1.
     pub k_s: f64,
 }
 
 impl AmplitudeUnits {
-    /// For values in units of `scale`, see [`super::symmetric_cells::SymmetricCells::scale`].
+    /// Units for amplitudes in units of `scale`, see `SymmetricCells::scale`.
     pub fn new(scale: f64) -> Self {
         Self {
             rho_d: PI * scale,
@@ -72,7 +74,7 @@ impl AmplitudeUnits {
         }
     }
 
-    /// The amplitudes of a model.
+    /// Amplitudes of a model's parameters.
     pub fn amplitudes(&self, params: &Params) -> Amplitudes {
         Amplitudes {
             diffuse: params.rho_d.map(|rho_d| rho_d / self.rho_d),
@@ -80,7 +82,7 @@ impl AmplitudeUnits {
         }
     }
 
-    /// Parameters with these amplitudes.
+    /// Parameters with ρ_d and k_s replaced by these amplitudes.
     pub fn with(&self, amplitudes: &Amplitudes, params: Params) -> Params {
         Params {
             rho_d: amplitudes.diffuse.map(|a| a * self.rho_d),

@@ -1,41 +1,41 @@
-//! A quasi-Newton descent in up to three variables within bounds.
+//! Quasi-Newton descent in up to three variables within bounds.
 //!
-//! BFGS with a line search for the weak Wolfe conditions, which also gets along with the kinks of L1 [Lewis13].
+//! BFGS with a line search for the weak Wolfe conditions, which also copes with the kinks of L1 [Lewis13].
 
 use glam::{DMat3, DVec3};
 
-/// What an evaluation brings: the value and the gradient.
+/// Value and gradient of the objective at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Value {
-    /// To be made small.
+    /// Error to be minimised.
     pub error: f64,
-    /// Its slopes.
+    /// Gradient of the error.
     pub gradient: DVec3,
 }
 
-/// How a descent goes on and ends.
+/// Bounds and stopping rules of a descent.
 #[derive(Clone, Copy, Debug)]
 pub struct Rules {
-    /// Bounds of each variable; one that is held has both alike.
+    /// Bounds of each variable, (smallest, largest); both alike where it is held.
     pub bounds: [(f64, f64); 3],
-    /// Stop where a step promises less than this share of the error.
+    /// Relative decrease of the error that a step must promise for the descent to go on.
     pub tolerance: f64,
-    /// Evaluations at most.
+    /// Largest number of evaluations.
     pub evaluations: usize,
-    /// Length of the first step.
+    /// Length of the first step, in units of the variables.
     pub first_step: f64,
 }
 
-/// Where it ended.
+/// Result of a descent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
-    /// The best point.
+    /// Point with the smallest error.
     pub at: DVec3,
-    /// Its value.
+    /// Error and gradient at that point.
     pub value: Value,
-    /// The curvature learnt on the way, to begin with on more data.
+    /// Approximate Hessian at the end, a start for a descent on more data; `None` where none was built up.
     pub curvature: Option<DMat3>,
-    /// Whether the last step promised nothing more.
+    /// Whether the descent ended because no step promised a further decrease.
     pub converged: bool,
 }
 
@@ -44,10 +44,11 @@ const WOLFE: f64 = 0.7;
 const LINE_SEARCH: usize = 10;
 /// Second derivative of the error in a variable of the search, relative to the error.
 const COMMON_CURVATURE: f64 = 0.5;
-/// Where a step that fails promised less than this share of the error, no other is tried.
+/// Promised relative decrease below which a failed step is not tried again without the Hessian.
 const RETRY: f64 = 1e-3;
 
-/// Descends from `start`. `evaluate` returns `None` to stop: then the best so far is returned, if there is one.
+/// Minimises from `start`. `evaluate` returns `None` to stop: then the best point so far is returned; `None` where the
+/// first evaluation stops.
 pub fn descend(
     start: DVec3,
     curvature: Option<DMat3>,
@@ -114,7 +115,7 @@ pub fn descend(
     })
 }
 
-/// 1 for variables that may move, 0 for those that a bound holds against the slope.
+/// Mask of the variables: 1 where free, 0 where a bound holds the variable against the slope.
 fn free_variables(at: DVec3, gradient: DVec3, low: DVec3, high: DVec3) -> DVec3 {
     let free = |k: usize| {
         let held =
@@ -124,7 +125,7 @@ fn free_variables(at: DVec3, gradient: DVec3, low: DVec3, high: DVec3) -> DVec3 
     DVec3::new(free(0), free(1), free(2))
 }
 
-/// −B⁻¹ g among the free variables.
+/// Step −B⁻¹ g in the free variables; −g where that is not finite or not a descent.
 fn newton_step(mut b: DMat3, g: DVec3, free: DVec3) -> DVec3 {
     for k in 0..3 {
         if free[k] == 0.0 {
@@ -143,7 +144,7 @@ fn newton_step(mut b: DMat3, g: DVec3, free: DVec3) -> DVec3 {
     }
 }
 
-/// A step length and its value, by parabola and bisection; `None` where no length is better.
+/// Step length and value, by parabola and bisection; `None` where no length lowers the error.
 fn line_search(
     at: DVec3,
     value: Value,
@@ -196,7 +197,7 @@ fn line_search(
     best
 }
 
-/// The BFGS update of the curvature; unchanged where it would not stay positive.
+/// BFGS update of the approximate Hessian; unchanged where it would not stay positive definite.
 fn updated(b: Option<DMat3>, moved: DVec3, turned: DVec3) -> DMat3 {
     let sy = moved.dot(turned);
     let b = b.unwrap_or_else(|| {

@@ -1,18 +1,18 @@
-//! What one should know before trusting a fit.
+//! Concerns about a fit: what limits how far its parameters can be trusted.
 
-use super::options::{Options, SMALLEST_ETA};
+use super::options::{FitOptions, SMALLEST_ETA};
 use super::outcome::Concern;
 use crate::brdf::{Brdf, Fresnel, ParamId};
 use crate::geom::Rgb;
 use crate::measured::Grid;
 
-/// η − 1 below this is near 1: R_F(0) < 1e-4.
+/// η − 1 below which η is near 1: R_F(0) < 1e-4.
 const NEAR_ONE: f64 = 0.02;
-/// A highlight must cover this many bins of θ_h above half its height to be told from a narrower one.
+/// Fewest bins of θ_h above half the highlight's height with which it can be told from a narrower one.
 const FEWEST_BINS: usize = 4;
 
-/// The concerns about a fitted model, the gravest first.
-pub fn diagnose(brdf: &Brdf, options: &Options, albedo: &[Rgb]) -> Vec<Concern> {
+/// Concerns about a fitted model, the gravest first. `albedo` is its directional albedo.
+pub fn diagnose(brdf: &Brdf, options: &FitOptions, albedo: &[Rgb]) -> Vec<Concern> {
     let mut found = Vec::new();
     let free = |id: ParamId| brdf.uses(id) && !options.held.has(id);
     if brdf.params.k_s.iter().all(|k_s| *k_s <= 0.0) {
@@ -50,7 +50,7 @@ pub fn diagnose(brdf: &Brdf, options: &Options, albedo: &[Rgb]) -> Vec<Concern> 
     found
 }
 
-/// In how many bins of θ_h the lobe is above half its height, for θ_d = 0.
+/// Number of θ_h bins in which the lobe is above half its height, for θ_d = 0.
 fn bins_above_half(brdf: &Brdf) -> usize {
     let plain = Brdf {
         fresnel: Fresnel::None,

@@ -1,9 +1,9 @@
-//! Why a table cannot be fitted.
+//! Errors of a table that cannot be fitted.
 
-/// Why there is nothing to fit.
+/// Error of a table without anything to fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ProblemError {
-    /// No cell counts.
+    /// No cell is valid and within the grazing limit.
     #[error("no cell is measured within the grazing limit; raise the limit")]
     NoCells,
     /// Σ w f is 0.

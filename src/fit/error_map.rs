@@ -1,7 +1,6 @@
-//! Where the error of a model comes from: its E taken apart by the directions of light and view, and by half and
-//! difference angles.
+//! Decomposition of a model's error E over the directions of light and view, and over half and difference angles.
 //!
-//! It goes over the cells of the table in f64 with the definition of E as it stands, and knows nothing of how a fit
+//! It goes over the cells of the table in f64 with the definition of E as it stands, independently of how a fit
 //! arranges them: what is shown and what is minimised check each other.
 
 use super::error::ProblemError;
@@ -13,15 +12,15 @@ use crate::measured::grid::{Grid, THETA_D_BINS, THETA_H_BINS};
 use rayon::prelude::*;
 use std::f64::consts::FRAC_PI_2;
 
-/// Bins of θi and of θo, two degrees each.
+/// Number of bins of θi and of θo, two degrees each.
 pub const DIRECTION_BINS: usize = 45;
 
-/// What a bin holds, as shares of Σ w f over all cells and channels.
+/// Error and energy of a bin, as shares of Σ w f over all cells and channels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Bin {
     /// Σ w |f̂ − f|: what the bin adds to E.
     pub error: f64,
-    /// Σ w f
+    /// Σ w f: reflected energy in the bin.
     pub energy: f64,
 }
 
@@ -37,24 +36,24 @@ impl Bin {
     }
 }
 
-/// E taken apart. The errors of either list add up to it.
+/// E as sums over bins. The errors of either list add up to it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ErrorMap {
-    /// E, as a fit reports it.
+    /// Total E, as a fit reports it.
     pub total: f64,
-    /// Per channel, each against its own Σ w f. NaN for a channel that is black.
+    /// E per channel, each against its own Σ w f. NaN for a channel that is black.
     pub channels: Rgb,
-    /// θi + [`DIRECTION_BINS`] · θo. The data are reciprocal, so a cell counts half as (θi, θo) and half swapped; and
-    /// it is shared by the four bins whose middles are around it, or rows of cells would beat against rows of bins.
+    /// Bins at θi + [`DIRECTION_BINS`] · θo. Data are reciprocal, so a cell counts half as (θi, θo) and half swapped;
+    /// it is spread over the four bins whose centres enclose it, or rows of cells would beat against rows of bins.
     pub directions: Vec<Bin>,
-    /// θh + 90 θd, in the bins of the grid; sums over φd. `None` where no cell counts.
+    /// Bins of the grid at θh + 90 θd, summed over φd. `None` where no cell counts.
     pub half_diff: Vec<Option<Bin>>,
 }
 
-/// Takes the error of a model over a table apart. `limit` is the grazing limit in radians.
+/// Decomposes the error of a model over a table. `limit` is the grazing limit in radians.
 ///
 /// # Errors
-/// As [`super::Problem::new`].
+/// Errors of [`super::Problem::new`].
 pub fn error_map(
     table: &Table,
     weight: Weight,
@@ -100,7 +99,7 @@ pub fn error_map(
     })
 }
 
-/// The sums of one bin of θh.
+/// Sums over one bin of θh.
 #[derive(Default)]
 struct Slab {
     cells: usize,
@@ -162,18 +161,18 @@ impl Slab {
         slab
     }
 
-    /// Half of a cell among the bins around (θi, θo).
+    /// Adds half of a cell to the bins around (θi, θo), in radians.
     fn spread(&mut self, bin: Bin, theta_i: f64, theta_o: f64) {
-        for (i, share_i) in around(theta_i) {
-            for (o, share_o) in around(theta_o) {
+        for (i, share_i) in enclosing_bins(theta_i) {
+            for (o, share_o) in enclosing_bins(theta_o) {
                 self.directions[i + DIRECTION_BINS * o].add(bin, 0.5 * share_i * share_o);
             }
         }
     }
 }
 
-/// The two bins whose middles are around an angle, with its shares of them.
-fn around(theta: f64) -> [(usize, f64); 2] {
+/// The two bins whose centres enclose an angle in radians, with the angle's shares of them.
+fn enclosing_bins(theta: f64) -> [(usize, f64); 2] {
     let last = DIRECTION_BINS - 1;
     let at = theta / FRAC_PI_2 * DIRECTION_BINS as f64 - 0.5;
     let at = at.clamp(0.0, last as f64);
@@ -182,7 +181,7 @@ fn around(theta: f64) -> [(usize, f64); 2] {
     [(first, 1.0 - share), (first + 1, share)]
 }
 
-/// 4 cos θd dωh dωd of a cell up to a factor that all cells share, or 1.
+/// Solid angle 4 cos θd dωh dωd of a cell up to a factor common to all cells; 1 for [`Weight::Cells`].
 fn solid_angle(theta_h: usize, theta_d: f64, weight: Weight) -> f64 {
     if weight == Weight::Cells {
         return 1.0;
@@ -194,7 +193,7 @@ fn solid_angle(theta_h: usize, theta_d: f64, weight: Weight) -> f64 {
     theta_d.cos() * theta_d.sin() * omega_h
 }
 
-/// The φd bins that mirror one below 90°, itself included: π − φd, and both plus π where the grid has them.
+/// φd bins that mirror one below 90°, itself included: π − φd, and both plus π where the grid has them.
 fn mirrored(grid: Grid, phi_d: usize) -> impl Iterator<Item = usize> {
     (0..grid.phi_d_bins())
         .step_by(180)
@@ -223,7 +222,7 @@ mod tests {
         }
     }
 
-    /// Data that no model meets: one model at some angles, another at others, with gaps.
+    /// Table that no model fits exactly: one model at some angles, another at others, with gaps.
     fn table(grid: Grid) -> Table {
         let (a, b) = (brdf(20.0), brdf(60.0));
         let cells = (0..grid.len())

@@ -1,4 +1,4 @@
-//! The exact minimum of the L1 regression in (ρ_d, k_s), to the last digit, which single cells decide.
+//! Exact minimum of the L1 regression in (ρ_d, k_s), to the last digit, which single cells decide.
 
 use super::amplitudes::{AmplitudeBounds, Amplitudes};
 use super::kernels::{block_of, per_block};
@@ -9,20 +9,20 @@ use pulp::Simd;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Half width of the band of cells that the exact solution looks at, relative to the model, to begin with.
+/// Initial half width of the band of cells that are looked at one by one, relative to the model.
 const BAND: f64 = 2e-4;
-/// Rounds at most; the band grows fourfold with each.
+/// Largest number of rounds; the band grows fourfold with each.
 const ROUNDS: usize = 5;
-/// With more cells than this in the band the model meets the data nearly exactly, and nothing is left to gain.
+/// Number of cells in the band above which the model meets the data nearly exactly, and nothing is left to gain.
 const MOST_CELLS: usize = 50_000;
-/// With fewer cells than this all of them are in the band.
+/// Number of cells below which all of them are in the band.
 const FEW_CELLS: usize = 2000;
 
-/// The exact minimum of stage 1 from amplitudes that are near.
+/// Amplitudes at the exact minimum of stage 1, from amplitudes `near` it.
 ///
 /// Cells far from the model keep the sign of their residual and enter as two slopes; only those within a narrow band
-/// are looked at one by one [Portnoy97]. Amplitudes move no further than the others keep their signs. A minimum
-/// short of that is the minimum of all, by convexity; else the band is laid anew from there, and wider.
+/// are looked at one by one [Portnoy97]. Amplitudes move only as far as the others keep their signs. A minimum short of
+/// that is the minimum over all cells, by convexity; else the band is laid anew from there, and wider.
 pub fn solve(
     cells: &SymmetricCells,
     shapes: &[f32],
@@ -63,12 +63,12 @@ pub fn solve(
     at
 }
 
-/// What the band is wide where the model is 0.
+/// Half width of the band where the model is 0.
 fn floor(cells: &SymmetricCells, channel: usize) -> f64 {
     1e-3 * cells.energy[channel]
 }
 
-/// The sum of each channel: cells within the band, the slopes of the rest, and how far these hold.
+/// L1 sum of each channel: cells within the band, slopes of the others, and the bounds within which these hold.
 fn gather(
     cells: &SymmetricCells,
     shapes: &[f32],
@@ -124,7 +124,7 @@ fn gather(
     sums
 }
 
-/// [`gather`] of a slab.
+/// SIMD pass of [`gather`] over a slab.
 struct Gather<'a> {
     cells: &'a SymmetricCells,
     rows: &'a [CellRow],

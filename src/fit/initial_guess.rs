@@ -1,4 +1,4 @@
-//! A first guess of the parameters, read off the data: where the sliders stand when a material opens.
+//! Initial guess of the parameters from the data: the sliders' values when a material opens.
 
 use crate::brdf::{Brdf, COMBINED, Fresnel, Params};
 use crate::geom::{Cosines, Rgb};
@@ -6,26 +6,27 @@ use crate::measured::Table;
 use crate::measured::grid::{THETA_D_BINS, THETA_H_BINS};
 use std::f64::consts::PI;
 
-/// Every how many bins of θ_d and φ_d a cell is looked at; θ_h, where the highlight is, is taken whole.
+/// Steps in bins of θ_d and φ_d between the cells that are sampled; θ_h, along which the highlight varies, is taken
+/// whole.
 const STRIDE: (usize, usize) = (5, 15);
-/// The candidates for s: this many from 0.3 to 30,000, evenly in the logarithm.
+/// Number of candidates for s, from 0.3 to 30,000, evenly in the logarithm.
 const EXPONENTS: usize = 21;
 const ALPHAS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 const ETAS: [f64; 3] = [1.2, 1.5, 2.5];
 
-/// A cell with its weight: the solid angle times both cosines, and f_r.
-struct Sample {
+/// Sampled cell: its f_r and its weight, the solid angle times both cosines.
+struct WeightedCell {
     cosines: Cosines,
     weight: f64,
-    /// The weight over f_r.
+    /// Weight divided by f_r, per channel.
     relative: Rgb,
     f_r: Rgb,
 }
 
-/// The combined model with exact Fresnel that comes nearest on a coarse grid of (s, α, η) and a few thousand cells.
+/// Combined model with exact Fresnel factor that fits best on a coarse grid of (s, α, η) and a few thousand cells.
 ///
 /// For each candidate ρ_d and k_s are the least-squares solution with weights w/f, which stands in for L1 as both
-/// measure an error in proportion to the value. A guess, made in a fraction of a second; no fit.
+/// measure an error in proportion to the value. It takes a fraction of a second and is no fit.
 pub fn from_table(table: &Table) -> Brdf {
     let samples = samples(table);
     let mut best = Brdf {
@@ -36,7 +37,7 @@ pub fn from_table(table: &Table) -> Brdf {
     let mut best_error = f64::INFINITY;
     // A shape is R_F · exp(s · ln base): of its parts each is made once.
     let reflectance = |eta: f64| {
-        let of = |sample: &Sample| best.fresnel.reflectance(sample.cosines.wi_dot_wh, eta);
+        let of = |sample: &WeightedCell| best.fresnel.reflectance(sample.cosines.wi_dot_wh, eta);
         samples.iter().map(of).collect::<Vec<f64>>()
     };
     let reflectances = ETAS.map(reflectance);
@@ -48,7 +49,7 @@ pub fn from_table(table: &Table) -> Brdf {
             alpha,
             ..Params::default()
         };
-        let ln_base = |sample: &Sample| (best.model.lobe)(&base, &sample.cosines).ln();
+        let ln_base = |sample: &WeightedCell| (best.model.lobe)(&base, &sample.cosines).ln();
         let ln_base: Vec<f64> = samples.iter().map(ln_base).collect();
         for k in 0..EXPONENTS {
             let s = 0.3 * 1e5f64.powf(k as f64 / (EXPONENTS - 1) as f64);
@@ -82,7 +83,7 @@ pub fn from_table(table: &Table) -> Brdf {
     best
 }
 
-fn samples(table: &Table) -> Vec<Sample> {
+fn samples(table: &Table) -> Vec<WeightedCell> {
     let grid = table.grid();
     let mut samples = Vec::new();
     for h in 0..THETA_H_BINS {
@@ -102,7 +103,7 @@ fn samples(table: &Table) -> Vec<Sample> {
                     * center.theta_d.sin()
                     * (2 * h + 1) as f64;
                 let weight = solid_angle * cosines.cos_theta_i * cosines.cos_theta_o;
-                samples.push(Sample {
+                samples.push(WeightedCell {
                     cosines,
                     weight,
                     relative: f_r.map(|f| weight / f.max(1e-6)),
@@ -115,7 +116,7 @@ fn samples(table: &Table) -> Vec<Sample> {
 }
 
 /// (ρ_d, k_s) ≥ 0 that minimise Σ (w/f) (ρ_d/π + k_s·shape − f)².
-fn amplitudes(samples: &[Sample], shapes: &[f64], channel: usize) -> (f64, f64) {
+fn amplitudes(samples: &[WeightedCell], shapes: &[f64], channel: usize) -> (f64, f64) {
     let (mut aa, mut ab, mut bb, mut af, mut bf) = (0.0, 0.0, 0.0, 0.0, 0.0);
     for (sample, b) in samples.iter().zip(shapes) {
         let (f, w) = (sample.f_r[channel], sample.relative[channel]);
@@ -138,7 +139,13 @@ fn amplitudes(samples: &[Sample], shapes: &[f64], channel: usize) -> (f64, f64) 
     }
 }
 
-fn absolute_error(samples: &[Sample], shapes: &[f64], channel: usize, rho_d: f64, k_s: f64) -> f64 {
+fn absolute_error(
+    samples: &[WeightedCell],
+    shapes: &[f64],
+    channel: usize,
+    rho_d: f64,
+    k_s: f64,
+) -> f64 {
     samples
         .iter()
         .zip(shapes)

@@ -1,11 +1,11 @@
-//! The best E over (s, α): how the error of the combined model looks to a search, with ρ_d and k_s solved at each point.
+//! Error landscape: E of the combined model over (s, α), with ρ_d and k_s solved at each point.
 //!
 //! α = 0 is Phong with exponent s and α = 1 Blinn-Phong with 4 s, so that the edges are these models' own. E is
 //! estimated on a sample of the cells, coarse to fine; the best point is measured on all of them.
 
 use super::lobe_kernel::{LobeShape, SearchPoint};
 use super::objective::{AmplitudeRule, Candidate, Objective, SearchSpace};
-use super::options::{Options, Variant};
+use super::options::{FitOptions, Variant};
 use super::problem::Problem;
 use super::symmetric_cells::SymmetricCells;
 use super::threads::Threads;
@@ -13,19 +13,19 @@ use crate::brdf::{Brdf, Fresnel, MODELS, Model, PHONG, ParamId, Params, params};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 
-/// Points along ln s and along α, from coarse to fine; each grid holds the one before, and the first a point at every
-/// decade of s.
+/// Grid sizes along ln s and along α, from coarse to fine; each grid holds the one before, and the first a point at
+/// every decade of s.
 pub const GRIDS: [(usize, usize); 3] = [(8, 5), (15, 9), (29, 17)];
 
-/// How many nodes are made between two questions whether to go on.
+/// Number of nodes between two calls of `follow`.
 const BATCH: usize = 16;
 
-/// Which η the points of a landscape have.
+/// η of the points of a landscape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Eta {
-    /// The same everywhere.
+    /// Fixed η at all points.
     Fixed(f64),
-    /// The best one at each point.
+    /// η that minimises E, at each point.
     Optimised,
 }
 
@@ -34,33 +34,33 @@ pub enum Eta {
 pub struct Node {
     /// The combined model with the best ρ_d and k_s there, and the best η where it is solved.
     pub brdf: Brdf,
-    /// Its E on a sample of the cells.
+    /// E of `brdf` on a sample of the cells.
     pub error: f64,
 }
 
-/// E over (s, α).
+/// E over a grid of (s, α).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Landscape {
     /// Exponents of the combined model, evenly in the logarithm, ascending.
     pub s: Vec<f64>,
-    /// From 0 to 1, evenly.
+    /// Blends α from 0 to 1, evenly, ascending.
     pub alpha: Vec<f64>,
-    /// A node per exponent for every α.
+    /// Nodes: that of the exponent i and the blend j is at i + `s.len()` · j.
     pub nodes: Vec<Node>,
     /// The best node with its ρ_d and k_s solved on all cells, and its E there; `None` while finer grids are to come.
     pub best: Option<(Brdf, f64)>,
 }
 
-/// A report from a landscape in the making.
+/// Progress report of a landscape.
 #[derive(Debug)]
-pub enum Update {
-    /// How far it is, in [0, 1].
+pub enum LandscapeUpdate {
+    /// Share of all grids that is done, in [0, 1].
     Progress(f32),
-    /// A grid is done, finer ones are to come.
+    /// Landscape on a finished grid, finer ones are to come.
     Grid(Landscape),
 }
 
-/// The combined model, whose edges are the other two.
+/// Combined model, which contains the other two at α = 0 and α = 1.
 pub fn model() -> &'static Model {
     MODELS
         .into_iter()
@@ -68,12 +68,12 @@ pub fn model() -> &'static Model {
         .unwrap_or(&PHONG)
 }
 
-/// Makes a landscape; `None` where `follow` breaks. The same for any number of threads.
+/// Landscape of a problem; `None` where `follow` breaks. It does not depend on the number of threads.
 pub fn landscape(
     problem: &Problem,
     fresnel: Fresnel,
     eta: Eta,
-    follow: &mut dyn FnMut(Update) -> ControlFlow<()>,
+    follow: &mut dyn FnMut(LandscapeUpdate) -> ControlFlow<()>,
 ) -> Option<Landscape> {
     let variant = Variant {
         model: model(),
@@ -85,7 +85,7 @@ pub fn landscape(
             Eta::Fixed(_) => &problem.medium,
             Eta::Optimised => &problem.coarse,
         },
-        space: SearchSpace::new(variant, &Options::default(), problem.units()),
+        space: SearchSpace::new(variant, &FitOptions::default(), problem.units()),
         eta: match fresnel {
             Fresnel::None => Eta::Fixed(params::ETA.default),
             _ => eta,
@@ -113,12 +113,12 @@ pub fn landscape(
                 nodes[*k] = Some(node);
             }
             done += batch.len();
-            if follow(Update::Progress(done as f32 / all as f32)).is_break() {
+            if follow(LandscapeUpdate::Progress(done as f32 / all as f32)).is_break() {
                 return None;
             }
         }
         grid.nodes = nodes.into_iter().flatten().collect();
-        if step + 1 < GRIDS.len() && follow(Update::Grid(grid.clone())).is_break() {
+        if step + 1 < GRIDS.len() && follow(LandscapeUpdate::Grid(grid.clone())).is_break() {
             return None;
         }
         before = Some(grid);
@@ -129,7 +129,7 @@ pub fn landscape(
     Some(finest)
 }
 
-/// How nodes are made.
+/// Cells, search space and η with which nodes are evaluated.
 struct Survey<'a> {
     cells: &'a SymmetricCells,
     space: SearchSpace,
@@ -137,7 +137,7 @@ struct Survey<'a> {
 }
 
 impl Survey<'_> {
-    /// A grid without its nodes.
+    /// Landscape without nodes, with the coordinates of a grid.
     fn grid(&self, columns: usize, rows: usize) -> Landscape {
         let (low, high) = params::S.range;
         let share = |k: usize, count: usize| k as f64 / (count - 1) as f64;
@@ -160,7 +160,7 @@ impl Survey<'_> {
             Eta::Fixed(eta) => objective.error(at(eta)),
             Eta::Optimised => best_eta(&mut objective, at(params::ETA.default)),
         };
-        let params = self.space.params(&candidate, &Options::default());
+        let params = self.space.params(&candidate, &FitOptions::default());
         let eta = match self.eta {
             Eta::Fixed(eta) => eta,
             Eta::Optimised => params.eta,
@@ -177,12 +177,12 @@ impl Survey<'_> {
     }
 }
 
-/// η − 1 that are looked at first: from a steep rise towards grazing to hardly any.
+/// Candidates for η − 1: from a steep rise towards grazing to hardly any.
 const ETAS_LESS_1: [f64; 6] = [0.02, 0.1, 0.35, 0.8, 2.0, 9.0];
-/// Steps of the search between them.
+/// Number of golden-section steps between the candidates.
 const ETA_STEPS: usize = 6;
 
-/// The best η: the best of a few, then by thirds of a golden section between its neighbours in ln(η − 1).
+/// Candidate with the best η: the best of a few, then golden-section search between its neighbours in ln(η − 1).
 fn best_eta(objective: &mut Objective, point: SearchPoint) -> Candidate {
     let mut error = |ln_eta: f64| objective.error([point[0], point[1], ln_eta]);
     let tried: Vec<Candidate> = ETAS_LESS_1.iter().map(|x| error(x.ln())).collect();
@@ -217,12 +217,12 @@ fn best_eta(objective: &mut Objective, point: SearchPoint) -> Candidate {
 }
 
 impl Landscape {
-    /// The node of the smallest E.
+    /// Node with the smallest E; `None` without nodes.
     pub fn lowest(&self) -> Option<&Node> {
         self.nodes.iter().min_by(|a, b| a.error.total_cmp(&b.error))
     }
 
-    /// E between the nodes, linear in ln s and α; at the edges beyond them. `None` without nodes.
+    /// E interpolated linearly in ln s and α; clamped to the edges. `None` without nodes.
     pub fn error_at(&self, s: f64, alpha: f64) -> Option<f64> {
         let [(i, u), (j, v)] = self.place(s, alpha)?;
         let at = |i: usize, j: usize| Some(self.nodes.get(i + self.s.len() * j)?.error);
@@ -230,7 +230,8 @@ impl Landscape {
         Some((1.0 - v) * along(j)? + v * along(j + 1)?)
     }
 
-    /// The nearest node moved to (s, α): its ρ_d, k_s and η are near the best ones there.
+    /// Model of the nearest node with s and α replaced: its ρ_d, k_s and η are near the best ones there. `None` without
+    /// nodes.
     pub fn model_at(&self, s: f64, alpha: f64) -> Option<Brdf> {
         let [(i, u), (j, v)] = self.place(s, alpha)?;
         let (i, j) = (i + u.round() as usize, j + v.round() as usize);
@@ -242,7 +243,7 @@ impl Landscape {
         Some(brdf)
     }
 
-    /// Column and row below a place, each with the share of the way to the next.
+    /// Column and row below (s, α), each with the share of the way to the next; `None` without nodes.
     fn place(&self, s: f64, alpha: f64) -> Option<[(usize, f64); 2]> {
         let (first, last) = (self.s.first()?, self.s.last()?);
         let split = |share: f64, count: usize| {

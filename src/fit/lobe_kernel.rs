@@ -1,4 +1,4 @@
-//! The specular shape R_F · lobe of a variant, row by row.
+//! Specular shape R_F · lobe of a variant, row by row.
 //!
 //! Phong and Blinn-Phong are the combined model at α = 0 and α = 1, as their rows in [`crate::brdf::MODELS`] say, so
 //! one kernel serves all. A model outside this family needs a kernel of its own here.
@@ -10,22 +10,22 @@ use crate::measured::Grid;
 use crate::measured::grid::{THETA_D_BINS, THETA_H_BINS};
 use std::sync::LazyLock;
 
-/// What a search moves: (ln s, α, ln(η − 1)). In these a step means about the same anywhere.
+/// Variables of the search: (ln s, α, ln(η − 1)). In these a step means about the same anywhere.
 pub type SearchPoint = [f64; 3];
 
-/// The numbers of a shape: s as the combined model means it, α, η.
+/// Parameters of a specular shape: s of the combined model, α, η.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LobeShape {
-    /// Exponent of the combined model.
+    /// Exponent s of the combined model.
     pub s: f64,
-    /// 0 for Phong, 1 for Blinn-Phong.
+    /// Blend α: 0 for Phong, 1 for Blinn-Phong.
     pub alpha: f64,
-    /// Relative index of refraction.
+    /// Relative index of refraction η.
     pub eta: f64,
 }
 
 impl LobeShape {
-    /// The shape of a variant with these parameters.
+    /// Shape of a variant with these parameters.
     pub fn of(variant: Variant, params: &Params) -> Self {
         Self {
             s: params.s / variant.model.exponent_ratio,
@@ -34,7 +34,7 @@ impl LobeShape {
         }
     }
 
-    /// As a point of the search.
+    /// Variables of the search at this shape.
     pub fn point(&self) -> SearchPoint {
         [
             self.s.ln(),
@@ -43,7 +43,7 @@ impl LobeShape {
         ]
     }
 
-    /// The shape at a point.
+    /// Shape at a point of the search.
     pub fn at(point: SearchPoint) -> Self {
         Self {
             s: point[0].exp(),
@@ -53,9 +53,9 @@ impl LobeShape {
     }
 }
 
-/// What all lobes need of the angles of the grid.
+/// Functions of the grid's angles that every lobe needs, per bin.
 #[derive(Debug)]
-struct Angles {
+struct GridAngles {
     /// 2 sin²θh per bin.
     twice_sin2_h: [f64; THETA_H_BINS],
     /// 1 − cos⁴θh per bin.
@@ -66,12 +66,12 @@ struct Angles {
     squares_d: [(f64, f64); THETA_D_BINS],
 }
 
-static ANGLES: LazyLock<Angles> = LazyLock::new(|| {
+static ANGLES: LazyLock<GridAngles> = LazyLock::new(|| {
     let grid = Grid::FOLDED;
     let theta_h = |h: usize| grid.center(h, 0, 0).theta_h;
     let theta_d = |d: usize| grid.center(0, d, 0).theta_d;
     let sin2_h = |h: usize| theta_h(h).sin().powi(2);
-    Angles {
+    GridAngles {
         twice_sin2_h: std::array::from_fn(|h| 2.0 * sin2_h(h)),
         // 1 − cos⁴ = sin² (1 + cos²)
         versine4_h: std::array::from_fn(|h| sin2_h(h) * (1.0 + theta_h(h).cos().powi(2))),
@@ -80,21 +80,21 @@ static ANGLES: LazyLock<Angles> = LazyLock::new(|| {
     }
 });
 
-/// A shape made ready for passes.
+/// A specular shape with its values per bin, ready for passes.
 #[derive(Clone, Debug)]
 pub struct LobeKernel {
     shape: LobeShape,
-    angles: &'static Angles,
+    angles: &'static GridAngles,
     /// R_F per bin of θd.
     fresnel: [f64; THETA_D_BINS],
     /// ∂ ln R_F / ∂ ln(η − 1) per bin of θd.
     fresnel_slope: [f64; THETA_D_BINS],
 }
 
-/// What a row of cells needs to know of a lobe.
+/// Coefficients of a lobe along a row of cells of fixed (θh, θd).
 #[derive(Clone, Copy, Debug)]
 pub struct RowCoefficients {
-    /// 1 − wr·wo = versine[0] + versine[1] · cos²φd.
+    /// Coefficients of 1 − wr·wo = `versine[0] + versine[1] · cos²φd`.
     pub versine: [f32; 2],
     /// 1 − α
     pub phong: f32,
@@ -102,7 +102,7 @@ pub struct RowCoefficients {
     pub blinn: f32,
     /// 1 − cos⁴θh
     pub versine4: f32,
-    /// Exponent.
+    /// Exponent s of the combined model.
     pub s: f32,
     /// R_F
     pub fresnel: f32,
@@ -111,7 +111,7 @@ pub struct RowCoefficients {
 }
 
 impl LobeKernel {
-    /// Of a shape with a Fresnel factor.
+    /// Kernel of a shape with a Fresnel factor.
     pub fn new(shape: LobeShape, fresnel: Fresnel) -> Self {
         let angles = &*ANGLES;
         let reflectance = |d: usize, eta: f64| fresnel.reflectance(angles.cos_d[d], eta);
@@ -130,7 +130,7 @@ impl LobeKernel {
         }
     }
 
-    /// Its numbers in a row.
+    /// Coefficients of the lobe along a row.
     #[inline]
     pub fn row(&self, row: &CellRow) -> RowCoefficients {
         let twice_sin2_h = self.angles.twice_sin2_h[row.theta_h];

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! Table ── Problem::new(weight, limit) ──▶ Problem        what is measured, arranged for passes over all cells
-//! Problem + Variant + Options ── fit ──▶ Outcome          parameters, errors, stages; watched and stopped by a closure
+//! Problem + Variant + FitOptions ── fit ──▶ Outcome       parameters, errors, stages; watched and stopped by a closure
 //! ```
 //!
 //! From the data up: [`symmetric_cells`] hold f_r as the SIMD [`kernels`] read it; [`regression`] and [`exact_l1`] find
@@ -29,15 +29,17 @@ pub mod problem;
 mod regression;
 mod simd;
 mod staged_fit;
+pub mod stages;
 mod symmetric_cells;
 mod threads;
 mod variants;
 mod vertex_walk;
 
 pub use error::ProblemError;
-pub use options::{Options, Partial, STAGES, Stage, Variant, WEIGHTS, Weight};
-pub use outcome::{Concern, Ended, Errors, Outcome, Progress, StageReport, Watch};
+pub use options::{FitOptions, Partial, Variant, WEIGHTS, Weight};
+pub use outcome::{Concern, EndReason, Errors, FitProgress, Outcome, StageReport, Watch};
 pub use problem::Problem;
+pub use stages::{STAGES, Stage, StageSet};
 pub use variants::{fit, fit_all};
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Where a fit may begin: the best points of a grid over (s, α, η), on the small sample.
+//! Starts of a fit: the best points of a grid over (s, α, η), on the small sample.
 
 use super::amplitudes::AmplitudeBounds;
 use super::lobe_kernel::SearchPoint;
@@ -8,27 +8,27 @@ use super::threads::Threads;
 use crate::brdf::Fresnel;
 use rayon::prelude::*;
 
-/// Grid points per decade of s.
+/// Number of grid points per decade of s.
 const PER_DECADE: f64 = 2.5;
 const ALPHAS: [f64; 3] = [0.0, 0.5, 1.0];
-/// η − 1: a steep rise towards grazing, glass, hardly any rise.
+/// Candidates for η − 1: a steep rise towards grazing, glass, hardly any rise.
 const ETAS_LESS_1: [f64; 3] = [0.12, 0.5, 3.0];
-/// How many starts are followed.
+/// Largest number of starts that are followed.
 const STARTS: usize = 5;
 
-/// The points of the grid that were evaluated, for all fits of one problem under the same options: those of Phong and
-/// Blinn-Phong are points of the combined model as well.
+/// Evaluated points of the grid of starts, shared by all fits of one problem under the same options: points of Phong
+/// and Blinn-Phong are points of the combined model as well.
 #[derive(Debug, Default)]
 pub struct StartGrid(Vec<Chain>);
 
-/// All s at one α and η.
+/// Candidates for all s at one α and η.
 #[derive(Clone, Debug)]
 struct Chain {
     fresnel: Fresnel,
     limits: AmplitudeBounds,
     alpha: f64,
     eta: f64,
-    along: Vec<Candidate>,
+    candidates: Vec<Candidate>,
 }
 
 impl Chain {
@@ -36,17 +36,21 @@ impl Chain {
         self.fresnel == space.variant.fresnel
             && self.limits == space.limits
             && (self.alpha, self.eta) == (alpha, eta)
-            && self.along.iter().map(|point| &point.point[0]).eq(exponents)
+            && self
+                .candidates
+                .iter()
+                .map(|point| &point.point[0])
+                .eq(exponents)
     }
 }
 
-/// The most promising points, the best first: local minima of the grid.
+/// Most promising starts, the best first: local minima of the grid.
 pub fn best_starts(
     coarse: &SymmetricCells,
     space: &SearchSpace,
     grid: &mut StartGrid,
 ) -> Vec<Candidate> {
-    let exponents = even(space.bounds[0]);
+    let exponents = evenly_spaced(space.bounds[0]);
     let alphas = choices(space.bounds[1], &ALPHAS);
     let etas = choices(space.bounds[2], &ETAS_LESS_1.map(f64::ln));
     let chains: Vec<(f64, f64)> = etas
@@ -64,15 +68,15 @@ pub fn best_starts(
         .map(|at| {
             let (alpha, eta) = *at;
             known(at).cloned().unwrap_or_else(|| {
-                let follow = AmplitudeRule::Optimised(space.limits);
-                let mut objective = Objective::new(coarse, fresnel, follow, None, Threads::One);
+                let rule = AmplitudeRule::Optimised(space.limits);
+                let mut objective = Objective::new(coarse, fresnel, rule, None, Threads::One);
                 let points = exponents.iter().map(|ln_s| [*ln_s, alpha, eta]);
                 Chain {
                     fresnel,
                     limits: space.limits,
                     alpha,
                     eta,
-                    along: points.map(|point| objective.error(point)).collect(),
+                    candidates: points.map(|point| objective.error(point)).collect(),
                 }
             })
         })
@@ -91,8 +95,8 @@ pub fn best_starts(
     starts
 }
 
-/// ln s, evenly; the value alone where it is held.
-fn even((low, high): (f64, f64)) -> Vec<f64> {
+/// Values of ln s, evenly spaced between the bounds; a single one where it is held.
+fn evenly_spaced((low, high): (f64, f64)) -> Vec<f64> {
     let steps = ((high - low) / std::f64::consts::LN_10 * PER_DECADE)
         .ceil()
         .max(0.0);
@@ -100,7 +104,7 @@ fn even((low, high): (f64, f64)) -> Vec<f64> {
     (0..=steps as usize).map(at).collect()
 }
 
-/// The choices within the bounds, or the middle where there is none.
+/// Choices within the bounds, or the middle of the bounds where there is none.
 fn choices((low, high): (f64, f64), all: &[f64]) -> Vec<f64> {
     let within: Vec<f64> = all
         .iter()
@@ -114,10 +118,13 @@ fn choices((low, high): (f64, f64), all: &[f64]) -> Vec<f64> {
     }
 }
 
-/// Of every chain over s the minima; of all these the best that are not near one another.
+/// Local minima of every chain over s; of these the best that are not near one another.
 fn best_minima(grid: &[Chain]) -> Vec<Candidate> {
     let mut minima: Vec<Candidate> = Vec::new();
-    for Chain { along: chain, .. } in grid {
+    for Chain {
+        candidates: chain, ..
+    } in grid
+    {
         for (k, candidate) in chain.iter().enumerate() {
             let lower = |other: Option<&Candidate>| {
                 other.is_none_or(|other| candidate.error <= other.error)
@@ -142,7 +149,7 @@ fn best_minima(grid: &[Chain]) -> Vec<Candidate> {
     starts
 }
 
-/// Whether two points are the same for all that a fit can tell.
-pub fn same(a: SearchPoint, b: SearchPoint) -> bool {
+/// Whether two points are closer than a fit can tell apart.
+pub fn nearly_equal(a: SearchPoint, b: SearchPoint) -> bool {
     (a[0] - b[0]).abs() < 0.02 && (a[1] - b[1]).abs() < 0.005 && (a[2] - b[2]).abs() < 0.02
 }

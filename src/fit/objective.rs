@@ -1,48 +1,48 @@
-//! E as a function of the shape alone: what the descents and the grid of starts evaluate.
+//! E as a function of the shape alone: the objective of the descents and of the grid of starts.
 
 use super::amplitudes::{AmplitudeBounds, AmplitudeUnits, Amplitudes};
 use super::descent::Value;
 use super::kernels;
 use super::lobe_kernel::{LobeKernel, LobeShape, SearchPoint};
-use super::options::{Options, SMALLEST_ETA, Variant};
+use super::options::{FitOptions, SMALLEST_ETA, Variant};
 use super::regression::{self, Effort};
 use super::symmetric_cells::SymmetricCells;
 use super::threads::Threads;
 use crate::brdf::{Fresnel, ParamId, Params, params};
 use glam::DVec3;
 
-/// Half width of the band in which the sign of a residual is softened for slopes, relative to the model, as a share
-/// of the error: narrower than residuals commonly are, or the slopes would be those of another function.
+/// Half width of the band in which the sign of a residual is softened for gradients, relative to the model, as a share
+/// of the error: narrower than residuals commonly are, or the gradient would be that of another function.
 const SOFT_BAND: f64 = 0.05;
 const WIDEST_SOFT_BAND: f64 = 0.01;
 
-/// A shape with its amplitudes and the E that they give on some cells.
+/// A shape with its amplitudes and their E on a set of cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Candidate {
-    /// (ln s, α, ln(η − 1)).
+    /// Shape as a point of the search: (ln s, α, ln(η − 1)).
     pub point: SearchPoint,
-    /// ρ_d/π and k_s.
+    /// Amplitudes ρ_d/π and k_s.
     pub amplitudes: Amplitudes,
-    /// E.
+    /// E on the cells of the objective.
     pub error: f64,
 }
 
-/// What a fit may move, and how far, in the variables of the search.
+/// Search space of a fit: a variant with bounds of its variables.
 #[derive(Clone, Copy, Debug)]
 pub struct SearchSpace {
-    /// What is fitted.
+    /// Model and Fresnel factor that are fitted.
     pub variant: Variant,
-    /// Bounds of (ln s, α, ln(η − 1)); both alike where held.
+    /// Bounds of (ln s, α, ln(η − 1)), (smallest, largest); both alike where held.
     pub bounds: [(f64, f64); 3],
-    /// Bounds of the amplitudes, likewise.
+    /// Bounds of the amplitudes; both alike where held.
     pub limits: AmplitudeBounds,
-    /// The units of the amplitudes.
+    /// Units of the amplitudes.
     pub units: AmplitudeUnits,
 }
 
 impl SearchSpace {
-    /// The space of a variant.
-    pub fn new(variant: Variant, options: &Options, units: AmplitudeUnits) -> Self {
+    /// Search space of a variant under the options of a fit.
+    pub fn new(variant: Variant, options: &FitOptions, units: AmplitudeUnits) -> Self {
         let row = |id| variant.model.param(id);
         let bounds = |id: ParamId, held: Option<f64>, missing: f64| match (held, row(id)) {
             (Some(value), Some(_)) => (value, value),
@@ -85,8 +85,8 @@ impl SearchSpace {
         std::array::from_fn(|k| point[k].clamp(self.bounds[k].0, self.bounds[k].1))
     }
 
-    /// The parameters of a candidate. Values that are held come out as they went in.
-    pub fn params(&self, candidate: &Candidate, options: &Options) -> Params {
+    /// Parameters of a candidate. Values that are held come out as they went in.
+    pub fn params(&self, candidate: &Candidate, options: &FitOptions) -> Params {
         let amplitudes = &candidate.amplitudes;
         let mut params = self.units.with(amplitudes, Params::default());
         let LobeShape { s, alpha, eta } = LobeShape::at(candidate.point);
@@ -129,36 +129,36 @@ impl SearchSpace {
     }
 }
 
-/// Which amplitudes go with a shape.
+/// Rule for the amplitudes of a shape.
 #[derive(Clone, Copy, Debug)]
 pub enum AmplitudeRule {
-    /// Fixed at these values.
+    /// Amplitudes fixed at these values.
     Fixed(Amplitudes),
-    /// The best ones within bounds, for each shape anew.
+    /// Amplitudes that minimise E within these bounds, solved for each shape anew.
     Optimised(AmplitudeBounds),
 }
 
-/// Evaluates E at points, keeping what helps the next evaluation.
+/// Evaluator of E at points of the search, with the state that speeds up the next evaluation.
 pub struct Objective<'a> {
     cells: &'a SymmetricCells,
     fresnel: Fresnel,
-    follow: AmplitudeRule,
+    rule: AmplitudeRule,
     threads: Threads,
     shapes: Vec<f32>,
-    /// The last solution, with R_F(0) there: when η moves, k_s·R_F(0) is what stays.
+    /// Last solution with its R_F(0), the start of the next: when η moves, k_s·R_F(0) stays about the same.
     warm: Option<(Amplitudes, f64)>,
-    /// The best so far.
+    /// Candidate with the smallest E so far.
     pub best: Option<Candidate>,
-    /// How many points were evaluated.
+    /// Number of points evaluated.
     pub evaluations: usize,
 }
 
 impl<'a> Objective<'a> {
-    /// On some cells, from amplitudes that may be near.
+    /// Objective on a set of cells; `near` is a candidate whose amplitudes are a good start.
     pub fn new(
         cells: &'a SymmetricCells,
         fresnel: Fresnel,
-        follow: AmplitudeRule,
+        rule: AmplitudeRule,
         near: Option<&Candidate>,
         threads: Threads,
     ) -> Self {
@@ -166,7 +166,7 @@ impl<'a> Objective<'a> {
         Self {
             cells,
             fresnel,
-            follow,
+            rule,
             threads,
             shapes: Vec::new(),
             warm,
@@ -175,14 +175,14 @@ impl<'a> Objective<'a> {
         }
     }
 
-    /// E and its slopes.
+    /// E and its gradient at a point.
     pub fn value(&mut self, point: SearchPoint) -> Value {
         let lobe = LobeKernel::new(LobeShape::at(point), self.fresnel);
         let amplitudes = self.amplitudes(&lobe, point);
         let error = self.best.map_or(1.0, |best| best.error);
         let band = (SOFT_BAND * error).clamp(1e-7, WIDEST_SOFT_BAND);
         let slopes = kernels::slopes(&lobe, self.cells, &amplitudes, band, self.threads);
-        self.take(Candidate {
+        self.record(Candidate {
             point,
             amplitudes,
             error: slopes.error,
@@ -193,7 +193,7 @@ impl<'a> Objective<'a> {
         }
     }
 
-    /// E alone, for solved amplitudes.
+    /// Candidate at a point with solved amplitudes, without gradient.
     pub fn error(&mut self, point: SearchPoint) -> Candidate {
         let lobe = LobeKernel::new(LobeShape::at(point), self.fresnel);
         let (amplitudes, errors) = self.solve(&lobe, point);
@@ -202,19 +202,19 @@ impl<'a> Objective<'a> {
             amplitudes,
             error: errors.iter().sum(),
         };
-        self.take(candidate);
+        self.record(candidate);
         candidate
     }
 
     fn amplitudes(&mut self, lobe: &LobeKernel, point: SearchPoint) -> Amplitudes {
-        match self.follow {
+        match self.rule {
             AmplitudeRule::Fixed(amplitudes) => amplitudes,
             AmplitudeRule::Optimised(_) => self.solve(lobe, point).0,
         }
     }
 
     fn solve(&mut self, lobe: &LobeKernel, point: SearchPoint) -> (Amplitudes, [f64; 3]) {
-        let limits = match self.follow {
+        let limits = match self.rule {
             AmplitudeRule::Fixed(held) => AmplitudeBounds::holding(&held),
             AmplitudeRule::Optimised(limits) => limits,
         };
@@ -240,7 +240,7 @@ impl<'a> Objective<'a> {
         solution
     }
 
-    fn take(&mut self, candidate: Candidate) {
+    fn record(&mut self, candidate: Candidate) {
         self.evaluations += 1;
         if self.best.is_none_or(|best| candidate.error < best.error) {
             self.best = Some(candidate);

@@ -1,34 +1,35 @@
-//! What is fitted and how: weight, grazing limit, stages, what is free.
+//! Options of a fit: variant, weight, stages, held values, start and bounds.
 
-use crate::brdf::{Brdf, Fresnel, MODELS, Model, Param, ParamId, Params};
+use super::stages::{Stage, StageSet};
+use crate::brdf::{Brdf, Fresnel, MODELS, Model, Param, ParamId, Params, PerParam};
 use crate::geom::Rgb;
 use crate::keys;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
 
-/// How much a cell counts.
+/// Weight of a cell in the error E.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Weight {
-    /// Every cell the same.
+    /// 1 for every cell.
     Cells,
-    /// dωi dωo = 4 cos θd dωh dωd.
+    /// Solid angle dωi dωo = 4 cos θd dωh dωd of the cell.
     SolidAngle,
-    /// The solid angle times cos θi cos θo: E is the share of reflected energy that is misplaced under uniform light.
+    /// Solid angle times cos θi cos θo: E is the share of reflected energy that is misplaced under uniform light.
     #[default]
     Cosine,
 }
 
-/// All weights in the order offered.
+/// All weights in the order in which they are offered.
 pub const WEIGHTS: [Weight; 3] = [Weight::Cells, Weight::SolidAngle, Weight::Cosine];
 
 impl Weight {
-    /// Name in files and on the command line.
+    /// Name in files and on the command line, e.g. "solid-angle".
     pub fn key(self) -> &'static str {
         keys::key_at::<Self>(self as usize)
     }
 
-    /// Name on screen.
+    /// Display name, e.g. "Solid angle".
     pub fn name(self) -> &'static str {
         match self {
             Self::Cells => "Cells",
@@ -37,7 +38,7 @@ impl Weight {
         }
     }
 
-    /// One sentence for people.
+    /// Description in one sentence.
     pub fn help(self) -> &'static str {
         match self {
             Self::Cells => {
@@ -52,71 +53,18 @@ impl Weight {
         }
     }
 
-    /// The weight whose `key` this is.
+    /// The weight with this `key`.
     pub fn by_key(key: &str) -> Option<Self> {
         keys::by_key(key)
     }
 }
 
-/// A step of the staged fit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Stage {
-    /// 1: ρ_d and k_s for fixed s, α, η; exact [Nielsen14].
-    Amplitudes,
-    /// 2: s, α and η for fixed ρ_d and k_s [Nielsen14].
-    Shape,
-    /// 3: s, α, k_s and η for fixed ρ_d [Nielsen14].
-    ShapeAndSpecular,
-    /// 4: all parameters together, from several starts.
-    Joint,
-}
-
-/// All stages in order.
-pub const STAGES: [Stage; 4] = [
-    Stage::Amplitudes,
-    Stage::Shape,
-    Stage::ShapeAndSpecular,
-    Stage::Joint,
-];
-
-impl Stage {
-    /// 1 to 4, as in the poster and then one more.
-    pub fn number(self) -> usize {
-        self as usize + 1
-    }
-
-    /// The stage of this number.
-    pub fn by_number(number: usize) -> Option<Self> {
-        STAGES.into_iter().find(|stage| stage.number() == number)
-    }
-
-    /// What it moves, in the markup of [`crate::figure::text`].
-    pub fn symbols(self) -> &'static str {
-        match self {
-            Self::Amplitudes => "ρ_{d}, k_{s}",
-            Self::Shape => "s, α, η",
-            Self::ShapeAndSpecular => "s, α, η, k_{s}",
-            Self::Joint => "all",
-        }
-    }
-
-    /// Whether the stage may move a parameter.
-    pub fn moves(self, id: ParamId) -> bool {
-        match self {
-            Self::Amplitudes => id.is_color(),
-            Self::Shape => !id.is_color(),
-            Self::ShapeAndSpecular => id != ParamId::RhoD,
-            Self::Joint => true,
-        }
-    }
-}
-
-/// A model with its Fresnel factor: what is fitted.
+/// Model and Fresnel factor whose parameters are fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Variant {
-    /// The formula.
+    /// Reflection model.
     pub model: &'static Model,
-    /// The factor on its specular term.
+    /// Fresnel factor on the specular term.
     pub fresnel: Fresnel,
 }
 
@@ -129,7 +77,7 @@ impl Variant {
         fresnels.into_iter().flat_map(of).collect()
     }
 
-    /// The variant with these numbers.
+    /// BRDF of the variant with these parameters.
     pub fn with(self, params: Params) -> Brdf {
         Brdf {
             model: self.model,
@@ -148,23 +96,23 @@ impl From<&Brdf> for Variant {
     }
 }
 
-/// Values for some of the parameters.
+/// Values of some of the parameters; `None` for the others.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Partial {
-    /// ρ_d
+    /// Diffuse reflectance ρ_d, linear RGB.
     pub rho_d: Option<Rgb>,
-    /// k_s
+    /// Specular amplitude k_s in 1/sr, linear RGB.
     pub k_s: Option<Rgb>,
-    /// s, as the fitted model means it
+    /// Specular exponent s of the fitted model.
     pub s: Option<f64>,
-    /// α
+    /// Lobe blend α.
     pub alpha: Option<f64>,
-    /// η
+    /// Relative index of refraction η.
     pub eta: Option<f64>,
 }
 
 impl Partial {
-    /// Whether there is a value for the parameter.
+    /// Whether a parameter has a value.
     pub fn has(&self, id: ParamId) -> bool {
         match id {
             ParamId::RhoD => self.rho_d.is_some(),
@@ -175,7 +123,7 @@ impl Partial {
         }
     }
 
-    /// Takes the value of one parameter.
+    /// Sets a parameter to its value in `from`.
     pub fn set(&mut self, id: ParamId, from: &Params) {
         match id {
             ParamId::RhoD => self.rho_d = Some(from.rho_d),
@@ -186,7 +134,7 @@ impl Partial {
         }
     }
 
-    /// `params` with the values that are here.
+    /// `params` with the values that are present replaced.
     pub fn over(&self, mut params: Params) -> Params {
         params.rho_d = self.rho_d.unwrap_or(params.rho_d);
         params.k_s = self.k_s.unwrap_or(params.k_s);
@@ -197,11 +145,12 @@ impl Partial {
     }
 }
 
-/// How near η may come to 1, where R_F vanishes but at grazing.
+/// Smallest η of a fit. At 1, R_F vanishes but at grazing.
 pub const SMALLEST_ETA: f64 = 1.0001;
 
-/// The bounds that a fit keeps where the user sets none: the slider's range of s and α, all that is accepted else.
-pub fn default_bounds(row: &Param) -> (f64, f64) {
+/// Bounds of a fit where the user sets none: the slider's range for s and α, the domain for the others, with η at least
+/// [`SMALLEST_ETA`].
+pub fn default_bounds(row: &Param) -> Bounds {
     match row.id {
         ParamId::RhoD | ParamId::KS => row.domain,
         ParamId::S | ParamId::Alpha => row.range,
@@ -209,46 +158,45 @@ pub fn default_bounds(row: &Param) -> (f64, f64) {
     }
 }
 
-/// How to fit.
+/// Bounds of a parameter, (smallest, largest).
+pub type Bounds = (f64, f64);
+
+/// Options of a fit: stages, held values, start, bounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Options {
-    /// Which stages are run, in order; by position in [`STAGES`].
-    pub stages: [bool; 4],
-    /// Parameters that the user holds fixed, with their values.
+pub struct FitOptions {
+    /// Stages that are run.
+    pub stages: StageSet,
+    /// Values of the parameters that are held fixed.
     pub held: Partial,
-    /// Where the stages begin instead of at what the data say. Stage 4 tries the data's starts as well.
+    /// Values at which stage 1 starts instead of those that the data suggest. Stage 4 tries the data's starts as well.
     pub start: Partial,
-    /// Bounds by position in [`crate::brdf::params::ALL`]; [`default_bounds`] where `None`.
-    pub bounds: [Option<(f64, f64)>; 5],
+    /// Bounds of the parameters; [`default_bounds`] where `None`.
+    pub bounds: PerParam<Option<Bounds>>,
 }
 
-impl Default for Options {
-    /// All stages, everything free.
+impl Default for FitOptions {
+    /// All stages, with every parameter free within its default bounds.
     fn default() -> Self {
         Self {
-            stages: [true; 4],
+            stages: StageSet::ALL,
             held: Partial::default(),
             start: Partial::default(),
-            bounds: [None; 5],
+            bounds: PerParam::default(),
         }
     }
 }
 
-impl Options {
+impl FitOptions {
     /// Whether a stage is run.
     pub fn runs(&self, stage: Stage) -> bool {
-        self.stages[stage.number() - 1]
+        self.stages[stage]
     }
 
-    /// The bounds of a parameter of a model.
-    pub fn bounds_of(&self, row: &Param) -> (f64, f64) {
-        let set = crate::brdf::params::ALL
-            .iter()
-            .position(|other| other.id == row.id)
-            .and_then(|index| self.bounds[index]);
-        set.unwrap_or_else(|| default_bounds(row))
+    /// Bounds of a parameter of a model: those set, else the default ones.
+    pub fn bounds_of(&self, row: &Param) -> Bounds {
+        self.bounds[row.id].unwrap_or_else(|| default_bounds(row))
     }
 }
 
-/// The grazing limit that leaves nothing out, in radians.
+/// Grazing limit that leaves no direction out, in radians.
 pub const NO_LIMIT: f64 = FRAC_PI_2;

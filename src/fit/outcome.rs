@@ -1,72 +1,73 @@
-//! What a fit says while it runs and when it ends.
+//! Progress and result of a fit.
 
-use super::options::Stage;
+use super::stages::Stage;
 use crate::brdf::{Brdf, ParamId};
 use crate::geom::Rgb;
 use std::ops::ControlFlow;
 
-/// E = Σ w |f̂ − f| / Σ w f over the cells that count, over parts of them.
+/// E = Σ w |f̂ − f| / Σ w f, over all cells that count and over parts of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Errors {
-    /// Over all cells and channels.
+    /// E over all cells and channels.
     pub total: f64,
-    /// Over cells with θi or θo ≥ 70°; `None` where the grazing limit leaves none.
+    /// E over cells with θi or θo ≥ 70°; `None` where the grazing limit leaves none.
     pub grazing: Option<f64>,
-    /// Per channel, each against its own Σ w f. NaN for a channel that is black.
+    /// E per channel, each against its own Σ w f. NaN for a channel that is black.
     pub channels: Rgb,
 }
 
-/// The best so far.
+/// Progress report of a fit: the best model so far.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Progress {
-    /// The stage under way.
+pub struct FitProgress {
+    /// Stage under way.
     pub stage: Stage,
-    /// The best of this stage so far.
+    /// Best model of this stage so far.
     pub brdf: Brdf,
-    /// Its E; estimated on a part of the cells unless `all_cells`. The estimate may pass the last word by a little.
+    /// E of `brdf`; estimated on a sample of the cells unless `all_cells`. The estimate may end up slightly below the
+    /// final E.
     pub error: f64,
     /// Whether `error` is over all cells.
     pub all_cells: bool,
-    /// How many shapes (s, α, η) this stage has tried.
+    /// Number of shapes (s, α, η) that this stage has tried.
     pub evaluations: usize,
-    /// Roughly how far the whole fit is, in [0, 1].
+    /// Approximate share of the whole fit that is done, in [0, 1].
     pub share: f32,
 }
 
-/// Called with the best so far, at least every few hundredths of a second and once a stage; may stop the fit. Calls
-/// come one at a time, but from any thread of the pool.
-pub type Watch<'a> = &'a mut (dyn FnMut(&Progress) -> ControlFlow<()> + Send);
+/// Observer of a fit, called with the best model so far, at least every few hundredths of a second and once a stage;
+/// may stop the fit. Calls come one at a time, but from any thread of the pool.
+pub type Watch<'a> = &'a mut (dyn FnMut(&FitProgress) -> ControlFlow<()> + Send);
 
-/// A stage that is done.
+/// Report of a finished stage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StageReport {
-    /// Which one.
+    /// Stage that was run.
     pub stage: Stage,
-    /// Where it began.
+    /// Model at the start of the stage.
     pub start: Brdf,
-    /// E there, over all cells.
+    /// E of `start`, over all cells.
     pub start_error: f64,
-    /// Where it ended.
+    /// Model at the end of the stage.
     pub end: Brdf,
-    /// E there, over all cells; never above `start_error`.
+    /// E of `end`, over all cells; never above `start_error`.
     pub error: f64,
-    /// How many shapes (s, α, η) it has tried.
+    /// Number of shapes (s, α, η) that the stage has tried.
     pub evaluations: usize,
 }
 
-/// Why a fit ended.
+/// Reason why a fit ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Ended {
-    /// Nothing near is better.
+pub enum EndReason {
+    /// No step promised a lower E.
     Converged,
-    /// It used up its evaluations before that.
+    /// The evaluations were used up before that.
     Limit,
-    /// It was told to stop.
+    /// The observer stopped it.
     Cancelled,
 }
 
-impl Ended {
-    /// Name in files.
+impl EndReason {
+    /// Name in files, e.g. "converged".
     pub fn key(self) -> &'static str {
         match self {
             Self::Converged => "converged",
@@ -76,23 +77,23 @@ impl Ended {
     }
 }
 
-/// What one should know before trusting the parameters.
+/// Reason to distrust fitted parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Concern {
-    /// A parameter ended at a bound: which, and the bound.
+    /// A parameter ended at its bound: its identity and the bound.
     AtBound(ParamId, f64),
-    /// The lobe is narrower than the bins at the highlight can tell.
+    /// The lobe is narrower than the bins at the highlight resolve.
     TooGlossy,
     /// η is so near 1 that only k_s·R_F(0) is determined.
     EtaNearOne,
-    /// The fitted lobe adds nothing: k_s is 0 in all channels, so that s, α and η mean nothing.
+    /// k_s is 0 in all channels, so that s, α and η mean nothing.
     NoHighlight,
-    /// The model reflects more than it receives at one of the angles of [`super::outcome::ALBEDO_ANGLES`].
+    /// The directional albedo of the model is above 1 at one of [`super::outcome::ALBEDO_ANGLES`].
     AlbedoAboveOne,
 }
 
 impl Concern {
-    /// One sentence for people, in plain characters.
+    /// Message in one sentence, in plain characters.
     pub fn text(&self) -> String {
         match self {
             Self::AtBound(id, bound) => {
@@ -113,30 +114,30 @@ impl Concern {
     }
 }
 
-/// Angles of incidence at which the directional albedo is given, in degrees.
+/// Angles of incidence of the reported directional albedo, in degrees.
 pub const ALBEDO_ANGLES: [f64; 3] = [0.0, 45.0, 80.0];
 
-/// What a fit brings.
+/// Result of a fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// The fitted model.
+    /// Fitted model.
     pub brdf: Brdf,
-    /// Its E over all cells.
+    /// E of the fitted model over all cells.
     pub errors: Errors,
-    /// The stages that were run, in order.
+    /// Reports of the stages that were run, in order.
     pub stages: Vec<StageReport>,
-    /// How many shapes (s, α, η) were tried in all.
+    /// Number of shapes (s, α, η) that were tried in all.
     pub evaluations: usize,
-    /// Why it ended.
-    pub ended: Ended,
-    /// Directional albedo of the model at [`ALBEDO_ANGLES`].
+    /// Reason why the fit ended.
+    pub ended: EndReason,
+    /// Directional albedo of the model at [`ALBEDO_ANGLES`], linear RGB.
     pub albedo: [Rgb; 3],
-    /// What to know before trusting it.
+    /// Concerns about the parameters, the gravest first.
     pub concerns: Vec<Concern>,
 }
 
 impl Outcome {
-    /// Whether the model reflects more than it receives at one of the angles.
+    /// Whether the directional albedo is above 1 at one of [`ALBEDO_ANGLES`].
     pub fn exceeds_one(&self) -> bool {
         self.albedo.iter().flatten().any(|albedo| *albedo > 1.0)
     }

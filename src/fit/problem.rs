@@ -1,4 +1,4 @@
-//! The data of a fit: a table, a weight and a grazing limit, arranged for passes.
+//! Data of a fit: a table, a weight and a grazing limit, arranged for passes.
 
 use super::amplitudes::{AmplitudeBounds, AmplitudeUnits, Amplitudes};
 use super::error::ProblemError;
@@ -6,7 +6,7 @@ use super::exact_l1;
 use super::kernels;
 use super::lobe_kernel::{LobeKernel, LobeShape};
 use super::objective::SearchSpace;
-use super::options::{Options, Variant, Weight};
+use super::options::{FitOptions, Variant, Weight};
 use super::outcome::Errors;
 use super::regression::{self, Effort};
 use super::simd::LANES;
@@ -17,19 +17,19 @@ use crate::geom::limits::GRAZING_THETA;
 use crate::measured::Table;
 use std::f64::consts::FRAC_PI_2;
 
-/// A table, a weight and a grazing limit: what the error of a model is measured on.
+/// Table, weight and grazing limit over which the error of a model is measured.
 ///
-/// Holds a mirror of the valid f_r in the order of the passes, about 14 MB for the usual grid, and two small samples of
+/// Holds a copy of the valid f_r in the order of the passes, about 14 MB for the usual grid, and two small samples of
 /// it for searching.
 #[derive(Clone, Debug)]
 pub struct Problem {
-    /// All cells.
+    /// All cells that count.
     pub(super) all: SymmetricCells,
-    /// About one in sixteen.
+    /// Sample of about one cell in sixteen.
     pub(super) medium: SymmetricCells,
-    /// About one in sixty.
+    /// Sample of about one cell in sixty.
     pub(super) coarse: SymmetricCells,
-    /// Whether the limit leaves grazing cells.
+    /// Whether the limit is at least [`GRAZING_THETA`], so that grazing cells can count.
     pub(super) grazing: bool,
 }
 
@@ -47,7 +47,7 @@ impl Problem {
     /// count, and [`super::options::NO_LIMIT`] leaves none out that is above the horizon.
     ///
     /// # Errors
-    /// If no cell counts or all are 0.
+    /// No cell counts, or all that count are 0.
     pub fn new(table: &Table, weight: Weight, limit: f64) -> Result<Self, ProblemError> {
         let limit = limit.clamp(0.0, FRAC_PI_2);
         let all = SymmetricCells::new(table, weight, limit, None)?;
@@ -83,15 +83,15 @@ impl Problem {
         }
     }
 
-    /// The model with the best ρ_d and k_s within their default bounds for its (s, α, η): stage 1.
+    /// Model with the best ρ_d and k_s within their default bounds for its (s, α, η): stage 1.
     pub fn with_best_amplitudes(&self, brdf: &Brdf) -> Brdf {
-        let space = SearchSpace::new(Variant::from(brdf), &Options::default(), self.units());
+        let space = SearchSpace::new(Variant::from(brdf), &FitOptions::default(), self.units());
         let amplitudes = best_amplitudes(self, brdf, &space.limits);
         let params = space.units.with(&amplitudes, brdf.params);
         Brdf { params, ..*brdf }
     }
 
-    /// Bytes of f_r that a pass over all cells reads.
+    /// Number of bytes of f_r that a pass over all cells reads.
     pub fn bytes(&self) -> usize {
         self.all.bytes()
     }
@@ -107,7 +107,7 @@ impl Problem {
     }
 }
 
-/// The best amplitudes within limits for the shape of a model, whatever its own are: stage 1 alone.
+/// Best amplitudes within limits for the shape of a model, whatever its own are: stage 1 alone.
 fn best_amplitudes(problem: &Problem, brdf: &Brdf, limits: &AmplitudeBounds) -> Amplitudes {
     let all = &problem.all;
     let (lobe, _) = problem.parts(brdf);

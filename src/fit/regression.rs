@@ -1,43 +1,43 @@
-//! The L1 regression of stage 1: for a fixed shape x = R_F · lobe the best a = ρ_d/π and b = k_s per channel.
+//! L1 regression of stage 1: for a fixed shape x = R_F · lobe the best a = ρ_d/π and b = k_s per channel.
 //!
-//! Σ w |a + b x − f| is convex in (a, b). Newton steps on the sum with its kinks rounded off within a band come
-//! near in a few passes [Madsen93]; steps on a parabola that lies above the sum are the way back where one goes too
-//! far. [`super::vertex_walk`] then goes to the exact minimum.
+//! Σ w |a + b x − f| is convex in (a, b). Newton steps on the sum with its kinks rounded off within a band come near in
+//! a few passes [Madsen93]; steps on a quadratic majorant are the fallback where one goes too far.
+//! [`super::vertex_walk`] then goes to the exact minimum.
 
 use super::amplitudes::{AmplitudeBounds, Amplitudes};
 use super::kernels::{self, ChannelSums};
 use super::symmetric_cells::SymmetricCells;
 use super::threads::Threads;
 
-/// How long to go on.
+/// Stopping rules and bands of the regression.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
-    /// Where a step promises less than this share of the error, it is the last.
+    /// Promised relative decrease of the error below which a step is the last.
     pub tolerance: f64,
-    /// Passes at most.
+    /// Largest number of passes.
     pub passes: usize,
-    /// Half width of the band to begin with, relative to the model.
+    /// Initial half width of the band, relative to the model.
     pub band: f64,
-    /// Half width of the band to end with, as a share of the relative error: well within the residuals.
+    /// Final half width of the band, as a share of the relative error: well within the residuals.
     pub narrow: f64,
 }
 
 impl Effort {
-    /// From nowhere in particular.
+    /// Effort from a start without information.
     pub const COLD: Self = Self {
         tolerance: 1e-3,
         passes: 12,
         band: 2.0,
         narrow: 0.2,
     };
-    /// From the solution of a shape nearby.
+    /// Effort from the solution of a similar shape.
     pub const WARM: Self = Self {
         tolerance: 3e-4,
         passes: 6,
         band: 0.02,
         narrow: 0.05,
     };
-    /// As near as [`super::exact_l1::exact`] has little left to do.
+    /// Effort after which [`super::exact_l1`] has little left to do.
     pub const CLOSE: Self = Self {
         tolerance: 1e-7,
         passes: 16,
@@ -45,22 +45,22 @@ impl Effort {
         narrow: 0.03,
     };
 
-    /// Near a solution with this error: no more rounded off, from the first pass on, than that needs.
+    /// Effort near a solution with this error: no wider a band, from the first pass on, than that needs.
     pub fn near_error(self, error: f64) -> Self {
         let band = (self.narrow * error).max(0.1 * self.band).min(self.band);
         Self { band, ..self }
     }
 }
 
-/// The narrowest band, for data that a model meets exactly, and the widest to end with.
+/// Narrowest final band, for data that a model meets exactly.
 const NARROWEST: f64 = 1e-6;
 const WIDEST: f64 = 0.03;
-/// The band to end with changes a little with the error; this much wider will do.
+/// Factor on the final band that is narrow enough, as the final band changes a little with the error.
 const NARROW_ENOUGH: f64 = 1.5;
-/// How much of the parabola is added to the curvature, which few residuals within the band may leave too small.
+/// Share of the majorant that is added to the curvature, which few residuals within the band may leave too small.
 const SAFEGUARD: f64 = 0.02;
 
-/// Something to begin with where nothing is known: the mean as diffuse, no highlight.
+/// Start without information: the mean as diffuse, hardly any highlight.
 pub fn cold(cells: &SymmetricCells, limits: &AmplitudeBounds) -> Amplitudes {
     limits.clamp(Amplitudes {
         diffuse: cells.energy.map(|share| 2.0 * share),
@@ -68,17 +68,17 @@ pub fn cold(cells: &SymmetricCells, limits: &AmplitudeBounds) -> Amplitudes {
     })
 }
 
-/// One channel on its way.
+/// State of one channel's regression.
 struct Descent {
     at: [f64; 2],
     best: [f64; 2],
     sums: ChannelSums,
     band: f64,
-    careful: bool,
+    use_majorant: bool,
     done: bool,
 }
 
-/// The amplitudes that minimise the error, near enough for [`Effort::tolerance`], and the error per channel.
+/// Amplitudes that minimise the error, near enough for [`Effort::tolerance`], and the error per channel.
 pub fn solve(
     cells: &SymmetricCells,
     shapes: &[f32],
@@ -96,7 +96,7 @@ pub fn solve(
             ..ChannelSums::default()
         },
         band: effort.band,
-        careful: false,
+        use_majorant: false,
         // A black channel has nothing to say.
         done: cells.energy[k] <= 0.0,
     });
@@ -107,7 +107,7 @@ pub fn solve(
         let sums = kernels::regression(cells, shapes, &at, bands, floor, threads);
         for (k, channel) in channels.iter_mut().enumerate() {
             if !channel.done {
-                channel.learn(&sums[k], &limits.of(k), effort, cells.energy[k]);
+                channel.update(&sums[k], &limits.of(k), effort, cells.energy[k]);
             }
         }
         if channels.iter().all(|channel| channel.done) {
@@ -129,22 +129,22 @@ fn amplitudes(of: impl Fn(usize) -> [f64; 2]) -> Amplitudes {
 }
 
 impl Descent {
-    /// Takes the sums at `at`, and sets out for the next point or is done.
-    fn learn(&mut self, sums: &ChannelSums, bounds: &[(f64, f64); 2], effort: Effort, share: f64) {
+    /// Takes the sums at `at` and sets the next point, or `done`.
+    fn update(&mut self, sums: &ChannelSums, bounds: &[(f64, f64); 2], effort: Effort, share: f64) {
         let tolerance = effort.tolerance;
         let narrow =
             (effort.narrow * self.sums.error.min(sums.error) / share).clamp(NARROWEST, WIDEST);
         if sums.error <= self.sums.error {
             self.best = self.at;
             self.sums = *sums;
-            self.careful = false;
-        } else if !self.careful {
-            self.careful = true;
+            self.use_majorant = false;
+        } else if !self.use_majorant {
+            self.use_majorant = true;
         } else if self.band > narrow {
             // The rounded sum has its minimum here, the true one not yet: look again with less rounding.
             self.band = (0.2 * self.band).max(narrow);
             self.at = self.best;
-            self.careful = false;
+            self.use_majorant = false;
             return;
         } else {
             // Even the parabola finds nothing better: what is left is rounding.
@@ -156,18 +156,18 @@ impl Descent {
             majorant,
             error,
         } = self.sums;
-        let matrix = match self.careful {
+        let matrix = match self.use_majorant {
             true => majorant,
             false => std::array::from_fn(|k| curvature[k] + SAFEGUARD * majorant[k]),
         };
         let step = step_within(slope, matrix, self.best, bounds);
         let gain = -value(slope, matrix, step);
-        let met = error <= 1e-8 * share || !gain.is_finite();
+        let fits_exactly = error <= 1e-8 * share || !gain.is_finite();
         self.at = [self.best[0] + step[0], self.best[1] + step[1]];
         for (x, (low, high)) in self.at.iter_mut().zip(bounds) {
             *x = x.clamp(*low, *high);
         }
-        if met {
+        if fits_exactly {
             self.done = true;
         } else if !self.done && gain <= tolerance * error && self.band <= NARROW_ENOUGH * narrow {
             // So short a step needs no look at where it leads.
@@ -180,12 +180,12 @@ impl Descent {
     }
 }
 
-/// g·p + ½ p·M p
+/// Value of the quadratic form g·p + ½ p·M p; M is (aa, ab, bb).
 fn value(g: [f64; 2], m: [f64; 3], p: [f64; 2]) -> f64 {
     g[0] * p[0] + g[1] * p[1] + 0.5 * (m[0] * p[0] * p[0] + m[2] * p[1] * p[1]) + m[1] * p[0] * p[1]
 }
 
-/// The step p that minimises g·p + ½ p·M p with `at` + p within the bounds. M is positive semidefinite.
+/// Step p that minimises g·p + ½ p·M p with `at` + p within the bounds. M is positive semidefinite.
 fn step_within(g: [f64; 2], m: [f64; 3], at: [f64; 2], bounds: &[(f64, f64); 2]) -> [f64; 2] {
     let room = |k: usize| (bounds[k].0 - at[k], bounds[k].1 - at[k]);
     let inside = |p: [f64; 2]| (0..2).all(|k| p[k] >= room(k).0 && p[k] <= room(k).1);

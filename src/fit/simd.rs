@@ -3,58 +3,59 @@
 use pulp::Simd;
 use std::ops::{Add, Div, Mul, Sub};
 
-/// Rows are padded to whole blocks of this many symmetric cells: a multiple of the lanes of every machine that is known.
+/// Number of symmetric cells per block; rows are padded to whole blocks. A multiple of the lanes of every known
+/// machine.
 pub const LANES: usize = 8;
 
-/// Work that is compiled once for each set of instructions.
+/// Computation that is compiled once for each instruction set.
 pub trait Kernel {
-    /// What it returns.
+    /// Result of the computation.
     type Output;
-    /// Does it.
+    /// Runs the computation with the given instruction set.
     fn run<S: Simd>(self, simd: S) -> Self::Output;
 }
 
-/// Runs a kernel with the best instructions that this machine has.
+/// Runs a kernel with the best instruction set of this machine.
 #[inline]
 pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
-    struct Run<K>(K);
-    impl<K: Kernel> pulp::WithSimd for Run<K> {
+    struct Dispatched<K>(K);
+    impl<K: Kernel> pulp::WithSimd for Dispatched<K> {
         type Output = K::Output;
         #[inline(always)]
         fn with_simd<S: Simd>(self, simd: S) -> K::Output {
             self.0.run(simd)
         }
     }
-    pulp::Arch::new().dispatch(Run(kernel))
+    pulp::Arch::new().dispatch(Dispatched(kernel))
 }
 
-/// A number per lane.
+/// SIMD vector of f32: a number per lane.
 #[derive(Clone, Copy)]
 pub struct Lanes<S: Simd> {
     simd: S,
     value: S::f32s,
 }
 
-/// The vectors of a slice whose length is a multiple of [`LANES`].
+/// SIMD vectors of a slice whose length is a multiple of [`LANES`].
 #[inline(always)]
 pub fn vectors<S: Simd>(slice: &[f32]) -> &[S::f32s] {
     S::as_simd_f32s(slice).0
 }
 
 impl<S: Simd> Lanes<S> {
-    /// Of a vector in memory.
+    /// Lanes of a vector in memory.
     #[inline(always)]
     pub fn new(simd: S, value: S::f32s) -> Self {
         Self { simd, value }
     }
 
-    /// The same number in every lane.
+    /// Lanes that all hold the same number.
     #[inline(always)]
     pub fn splat(simd: S, value: f32) -> Self {
         Self::new(simd, simd.splat_f32s(value))
     }
 
-    /// As a vector in memory.
+    /// Vector in memory of these lanes.
     #[inline(always)]
     pub fn vector(self) -> S::f32s {
         self.value
@@ -85,19 +86,19 @@ impl<S: Simd> Lanes<S> {
         Self::from_bits(simd, simd.or_u32s(self.abs().bits(), sign))
     }
 
-    /// One by one.
+    /// Numbers of the lanes, one by one.
     #[inline(always)]
     pub fn lanes(&self) -> &[f32] {
         bytemuck::cast_slice(std::slice::from_ref(&self.value))
     }
 
-    /// The larger.
+    /// Larger of two numbers, per lane.
     #[inline(always)]
     pub fn max(self, other: Self) -> Self {
         Self::new(self.simd, self.simd.max_f32s(self.value, other.value))
     }
 
-    /// The smaller.
+    /// Smaller of two numbers, per lane.
     #[inline(always)]
     pub fn min(self, other: Self) -> Self {
         Self::new(self.simd, self.simd.min_f32s(self.value, other.value))
@@ -111,7 +112,7 @@ impl<S: Simd> Lanes<S> {
         Self::new(self.simd, self.simd.select_f32s(mask, self.value, zero))
     }
 
-    /// The sum over the lanes.
+    /// Sum over the lanes.
     #[inline(always)]
     pub fn total(self) -> f64 {
         f64::from(self.simd.reduce_sum_f32s(self.value))
@@ -243,7 +244,7 @@ impl<S: Simd> Div for Lanes<S> {
     }
 }
 
-/// The smallest base of a power: below it the lobe is 0 for all that matters.
+/// Smallest base of a power: below it the lobe counts as 0.
 pub const TINY: f32 = 1e-30;
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The stages, one after the other.
+//! The staged fit [Nielsen14] and the joint stage after it.
 
 mod descents;
 
@@ -9,47 +9,48 @@ use super::kernels;
 use super::lobe_kernel::{LobeKernel, LobeShape, SearchPoint};
 use super::multistart::{self, StartGrid};
 use super::objective::{AmplitudeRule, Candidate, SearchSpace};
-use super::options::{Options, STAGES, Stage, Variant};
-use super::outcome::{ALBEDO_ANGLES, Ended, Errors, Outcome, Progress, StageReport, Watch};
+use super::options::{FitOptions, Variant};
+use super::outcome::{ALBEDO_ANGLES, EndReason, Errors, FitProgress, Outcome, StageReport, Watch};
 use super::problem::Problem;
 use super::regression::{self, Effort};
+use super::stages::Stage;
 use super::threads::Threads;
 use crate::brdf::{Brdf, Params, albedo};
 use descents::Refinement;
 use std::ops::ControlFlow;
 
-/// A candidate as it is given out, with its E over all cells.
+/// A candidate with its parameters as they are reported and its E over all cells.
 #[derive(Clone, Copy, Debug)]
 struct Best {
     candidate: Candidate,
-    /// Its parameters; the search's own differ from them by a rounding.
+    /// Reported parameters; those of `candidate` differ from them by rounding.
     brdf: Brdf,
-    /// Of these.
+    /// E of `brdf` over all cells.
     errors: Errors,
 }
 
-/// A fit under way.
+/// State of a running fit.
 pub(super) struct StagedFit<'a, 'w> {
     problem: &'a Problem,
-    options: &'a Options,
+    options: &'a FitOptions,
     space: SearchSpace,
     watch: Watch<'w>,
-    /// What the watcher was last told.
-    shown: Option<Progress>,
+    /// Last progress report.
+    last_report: Option<FitProgress>,
     cancelled: bool,
     exhausted: bool,
-    /// The starts that the data suggest, once they are asked for.
+    /// Starts that the data suggest, once they are asked for.
     starts: Option<Vec<Candidate>>,
-    /// What they are chosen from, and other fits too.
+    /// Grid that the starts are chosen from, shared with other fits.
     grid: &'w mut StartGrid,
-    /// Contained fits, with the numbers that they were given out with.
-    known: Vec<(Candidate, Params)>,
+    /// Contained fits as candidates, with the parameters that they were reported with.
+    contained_fits: Vec<(Candidate, Params)>,
     stages: Vec<StageReport>,
     stage: Stage,
     evaluations: usize,
 }
 
-/// Fits what the variant contains, asking every now and then whether to go on; with the errors of each.
+/// Fits the contained variants, asking at intervals whether to go on; returns each with its errors.
 type Contained<'c> = &'c mut dyn FnMut(
     &mut StartGrid,
     &mut (dyn FnMut() -> ControlFlow<()> + Send),
@@ -59,7 +60,7 @@ impl<'a, 'w> StagedFit<'a, 'w> {
     pub fn new(
         problem: &'a Problem,
         variant: Variant,
-        options: &'a Options,
+        options: &'a FitOptions,
         grid: &'w mut StartGrid,
         watch: Watch<'w>,
     ) -> Self {
@@ -68,23 +69,24 @@ impl<'a, 'w> StagedFit<'a, 'w> {
             options,
             space: SearchSpace::new(variant, options, problem.units()),
             watch,
-            shown: None,
+            last_report: None,
             cancelled: false,
             exhausted: false,
             starts: None,
             grid,
-            known: Vec::new(),
+            contained_fits: Vec::new(),
             stages: Vec::new(),
             stage: Stage::Amplitudes,
             evaluations: 0,
         }
     }
 
-    /// Runs the stages. `contained` are fits of variants that this one contains, as points of its own space.
+    /// Runs the stages that the options choose. `contained` fits the variants that this one contains, as starts of
+    /// stage 4.
     pub fn run(mut self, contained: Contained) -> Outcome {
         let start = self.start();
         let mut best = self.measure(start);
-        for stage in STAGES.into_iter().filter(|stage| self.options.runs(*stage)) {
+        for stage in self.options.stages.iter() {
             if self.cancelled {
                 break;
             }
@@ -125,16 +127,16 @@ impl<'a, 'w> StagedFit<'a, 'w> {
             evaluations: self.stages.iter().map(|stage| stage.evaluations).sum(),
             stages: self.stages,
             ended: match (self.cancelled, self.exhausted) {
-                (true, _) => Ended::Cancelled,
-                (_, true) => Ended::Limit,
-                _ => Ended::Converged,
+                (true, _) => EndReason::Cancelled,
+                (_, true) => EndReason::Limit,
+                _ => EndReason::Converged,
             },
             concerns: diagnostics::diagnose(&brdf, self.options, &albedo),
             albedo,
         }
     }
 
-    /// Where stage 1 begins: at the user's start where there is one, at the data's best start otherwise.
+    /// Start of stage 1: the user's start where it is complete, else the best start of the data.
     fn start(&mut self) -> Candidate {
         let given = self.options.start;
         let variant = self.space.variant;
@@ -180,31 +182,31 @@ impl<'a, 'w> StagedFit<'a, 'w> {
             .get_or_insert_with(|| multistart::best_starts(coarse, space, self.grid))
     }
 
-    /// Stage 1.
+    /// Stage 1: ρ_d and k_s, exact.
     fn amplitudes(&mut self, before: &Best) -> Vec<Best> {
         self.evaluations += 1;
         vec![self.solve(&before.candidate, &self.space.limits, true)]
     }
 
-    /// Stage 2.
+    /// Stage 2: s, α, η for fixed ρ_d and k_s.
     fn shape(&mut self, before: &Best) -> Vec<Best> {
-        let follow = AmplitudeRule::Fixed(before.candidate.amplitudes);
-        let found = self.descend_levels(&before.candidate, follow);
+        let rule = AmplitudeRule::Fixed(before.candidate.amplitudes);
+        let found = self.descend_levels(&before.candidate, rule);
         vec![self.measure(found)]
     }
 
-    /// Stage 3.
+    /// Stage 3: s, α, η, k_s for fixed ρ_d.
     fn shape_and_specular(&mut self, before: &Best) -> Vec<Best> {
         let mut limits = self.space.limits;
         limits.diffuse = before.candidate.amplitudes.diffuse.map(|a| (a, a));
         let found = self.descend_levels(&before.candidate, AmplitudeRule::Optimised(limits));
-        vec![self.last_word(found, &limits)]
+        vec![self.solved_end(found, &limits)]
     }
 
-    /// Stage 4: from the data's starts on the small sample, from the best of these, from the end of the stages
-    /// before and from what is contained on the larger one, and from the best of all on all cells.
+    /// Stage 4: descents from the data's starts on the small sample, from the best of these, from the end of the stages
+    /// before and from the contained fits on the larger one, and from the best of all on all cells.
     fn joint(&mut self, before: &Best, contained: Contained) -> Vec<Best> {
-        let follow = AmplitudeRule::Optimised(self.space.limits);
+        let rule = AmplitudeRule::Optimised(self.space.limits);
         let mut found = Vec::new();
         let mut near: Vec<Candidate> = vec![before.candidate];
         let contained = {
@@ -225,7 +227,7 @@ impl<'a, 'w> StagedFit<'a, 'w> {
             };
             near.push(candidate);
             let brdf = brdf.with_model(self.space.variant.model);
-            self.known.push((candidate, brdf.params));
+            self.contained_fits.push((candidate, brdf.params));
             found.push(Best {
                 candidate,
                 brdf: self.space.variant.with(brdf.params),
@@ -237,7 +239,7 @@ impl<'a, 'w> StagedFit<'a, 'w> {
         }
         let starts = self.starts().to_vec();
         let starts = starts.into_iter().map(|start| (start, None));
-        let mut ends = self.descend_side_by_side(starts, &Refinement::coarse(self.problem), follow);
+        let mut ends = self.descend_side_by_side(starts, &Refinement::coarse(self.problem), rule);
         if self.cancelled {
             found.extend(ends.first().map(|end| self.measure(end.0)));
             return found;
@@ -246,24 +248,25 @@ impl<'a, 'w> StagedFit<'a, 'w> {
             .first()
             .map_or(f64::INFINITY, |best| 1.03 * best.0.error);
         ends.retain(|end| end.0.error <= limit);
-        ends.dedup_by(|a, b| multistart::same(a.0.point, b.0.point));
+        ends.dedup_by(|a, b| multistart::nearly_equal(a.0.point, b.0.point));
         ends.truncate(2);
         ends.extend(near.into_iter().map(|candidate| (candidate, None)));
         let medium = Refinement::medium(self.problem);
-        let ends = self.descend_side_by_side(ends.into_iter(), &medium, follow);
+        let ends = self.descend_side_by_side(ends.into_iter(), &medium, rule);
         if let Some((start, curvature)) = ends.first() {
             if self.cancelled {
                 found.push(self.measure(*start));
                 return found;
             }
-            let end = self.descend_all(start, *curvature, follow);
-            found.push(self.last_word(end, &self.space.limits));
+            let end = self.descend_all(start, *curvature, rule);
+            found.push(self.solved_end(end, &self.space.limits));
         }
         found
     }
 
-    /// The end of a descent with its solution made exact, unless nobody waits for that.
-    fn last_word(&self, end: Candidate, limits: &AmplitudeBounds) -> Best {
+    /// End of a descent with its amplitudes solved on all cells, exactly in the last stage; merely measured where the fit
+    /// was cancelled.
+    fn solved_end(&self, end: Candidate, limits: &AmplitudeBounds) -> Best {
         if self.cancelled {
             self.measure(end)
         } else {
@@ -271,12 +274,12 @@ impl<'a, 'w> StagedFit<'a, 'w> {
         }
     }
 
-    /// Whether no stage follows that would move all that this one does.
+    /// Whether this is stage 4 or stage 4 is not run, so that no stage that moves everything follows.
     fn is_last(&self) -> bool {
         self.stage == Stage::Joint || !self.options.runs(Stage::Joint)
     }
 
-    /// E over all cells as it is reported.
+    /// Candidate with E over all cells.
     fn measure(&self, mut candidate: Candidate) -> Best {
         let brdf = self.brdf(&candidate);
         let errors = self.problem.errors(&brdf);
@@ -288,7 +291,7 @@ impl<'a, 'w> StagedFit<'a, 'w> {
         }
     }
 
-    /// The same after solving for the amplitudes: to the last cell, or to what a look at all of them promises.
+    /// Candidate with its amplitudes solved on all cells and its E: exactly, or near the minimum by regression alone.
     fn solve(&self, near: &Candidate, limits: &AmplitudeBounds, exactly: bool) -> Best {
         let all = &self.problem.all;
         let shapes = kernels::shapes(&self.lobe(near.point), all);
@@ -318,7 +321,7 @@ impl<'a, 'w> StagedFit<'a, 'w> {
         let is_this = |known: &&(Candidate, Params)| {
             known.0.point == candidate.point && known.0.amplitudes == candidate.amplitudes
         };
-        if let Some((_, params)) = self.known.iter().find(is_this) {
+        if let Some((_, params)) = self.contained_fits.iter().find(is_this) {
             return self.space.variant.with(*params);
         }
         self.space
@@ -335,7 +338,7 @@ impl<'a, 'w> StagedFit<'a, 'w> {
         if self.cancelled {
             return ControlFlow::Break(());
         }
-        let progress = Progress {
+        let progress = FitProgress {
             stage: self.stage,
             brdf: self.brdf(candidate),
             error,
@@ -343,13 +346,13 @@ impl<'a, 'w> StagedFit<'a, 'w> {
             evaluations: self.evaluations,
             share: self.share(),
         };
-        self.shown = Some(progress);
+        self.last_report = Some(progress);
         let flow = (self.watch)(&progress);
         self.cancelled |= flow.is_break();
         flow
     }
 
-    /// How far the fit is: stages count by what they cost.
+    /// Share of the fit that is done, in [0, 1]: stages are weighted by their cost.
     fn share(&self) -> f32 {
         let cost = |stage: Stage| match stage {
             Stage::Amplitudes => 1.0,
@@ -357,7 +360,7 @@ impl<'a, 'w> StagedFit<'a, 'w> {
             Stage::ShapeAndSpecular => 4.0,
             Stage::Joint => 6.0,
         };
-        let all = || STAGES.into_iter().filter(|stage| self.options.runs(*stage));
+        let all = || self.options.stages.iter();
         let total: f32 = all().map(cost).sum();
         let done: f32 = all().filter(|stage| *stage < self.stage).map(cost).sum();
         let within = 1.0 - (-0.05 * self.evaluations as f32).exp();

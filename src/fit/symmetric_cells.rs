@@ -1,4 +1,4 @@
-//! The cells of a table arranged for passes over all of them.
+//! Cells of a table arranged for passes over all of them.
 //!
 //! Cells with φd, π − φd (and, unfolded, those plus π) swap wi and wo or mirror them, and every model and weight is
 //! symmetric in both: they form one **symmetric cell**, at which the model is evaluated once. With c = cos² φd the
@@ -19,18 +19,18 @@ use rayon::prelude::*;
 use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
 
-/// Stands for f_r of a measured cell that does not count.
+/// Value in place of f_r of a cell that is invalid or does not count.
 pub const ABSENT: f32 = -1.0;
 
-/// Symmetric cells in a full row: one per φd bin below 90°.
+/// Number of symmetric cells in a full row: one per φd bin below 90°.
 const PER_ROW: usize = 90;
 
-/// Which cells are taken: all, or an even sample.
+/// Size of an even sample of the cells.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampling {
-    /// Bins of θd taken, evenly from the middle of their shares.
+    /// Number of θd bins taken, from the middle of equal shares.
     pub theta_d: usize,
-    /// Symmetric cells along φd taken, likewise.
+    /// Number of symmetric cells along φd taken, from the middle of equal shares.
     pub phi_d: usize,
 }
 
@@ -41,28 +41,29 @@ pub struct CellRow {
     pub theta_h: usize,
     /// Bin of θd.
     pub theta_d: usize,
-    /// Position of its first cell in [`SymmetricCells::cos2`].
+    /// Index of the row's first cell in [`SymmetricCells::cos2`].
     pub first: usize,
     /// Number of blocks of [`LANES`] cells.
     pub blocks: usize,
-    /// Its first block among those of all rows.
+    /// Index of the row's first block among those of all rows.
     pub first_block: usize,
-    /// The weight of each measured cell is `weight[0] + weight[1] · c`, normalised so that Σ w f = 1 over all cells.
+    /// Coefficients of the weight of each measured cell, `weight[0] + weight[1] · c`, normalised so that Σ w f = 1 over
+    /// all cells.
     pub weight: [f32; 2],
-    /// Cells from here on, counted from the first, are not grazing.
+    /// Number of leading cells of the row that are grazing.
     pub grazing_end: usize,
 }
 
 /// f_r of a table, row by row, with the weights and sums that E needs.
 #[derive(Clone, Debug)]
 pub struct SymmetricCells {
-    /// By ascending θh, then θd.
+    /// Rows by ascending θh, then θd.
     pub rows: Vec<CellRow>,
-    /// The rows of each θh: the units of work that a pass spreads over threads.
+    /// Range of the rows of each θh: the units of work that a pass spreads over threads.
     pub slabs: Vec<Range<usize>>,
     /// c = cos² φd per cell of a full row, padded to a whole block more.
     pub cos2: Vec<f32>,
-    /// Measured cells per symmetric cell: 2, or 4 where φd covers the whole turn.
+    /// Number of measured cells per symmetric cell: 2, or 4 where φd covers the whole turn.
     pub mirror_count: usize,
     /// f_r / `scale` or [`ABSENT`]: block by block, in each by mirror and channel, so that a pass reads one stream.
     pub values: Vec<f32>,
@@ -70,19 +71,19 @@ pub struct SymmetricCells {
     pub blocks: usize,
     /// Number of measured cells that count.
     pub cell_count: usize,
-    /// The unit of the values in 1/sr, a power of two.
+    /// Unit of the values in 1/sr, a power of two.
     pub scale: f64,
-    /// Σ w f per channel, as a share of the sum over all.
+    /// Σ w f per channel, as a share of the sum over all channels.
     pub energy: [f64; 3],
-    /// Σ w f of the grazing cells, likewise.
+    /// Σ w f of the grazing cells, as a share of the sum over all cells and channels.
     pub grazing_energy: f64,
 }
 
 impl SymmetricCells {
-    /// Arranges a table.
+    /// Arranges a table; `limit` is the grazing limit in radians, `sampling` `None` for all cells.
     ///
     /// # Errors
-    /// Where no cell counts or all that count are 0.
+    /// No cell counts, or all that count are 0.
     pub fn new(
         table: &Table,
         weight: Weight,
@@ -175,32 +176,32 @@ impl SymmetricCells {
         &self.cos2[row.first..][..row.blocks * LANES]
     }
 
-    /// The values of a row: block by block, in each by mirror and channel.
+    /// Values of a row: block by block, in each by mirror and channel.
     #[inline(always)]
     pub fn values_of(&self, row: &CellRow) -> &[f32] {
         let block = 3 * self.mirror_count * LANES;
         &self.values[row.first_block * block..][..row.blocks * block]
     }
 
-    /// Bytes that a pass reads of the data.
+    /// Number of bytes of f_r that a pass reads.
     pub fn bytes(&self) -> usize {
         size_of_val(&self.values[..])
     }
 }
 
-/// Position among the values of a row: of a cell, one of its mirrors and a channel.
+/// Index among the values of a row, of a cell, one of its mirrors and a channel.
 fn value_index(mirror_count: usize, cell: usize, mirror: usize, channel: usize) -> usize {
     LANES * (cell / LANES * 3 * mirror_count + 3 * mirror + channel) + cell % LANES
 }
 
-/// `count` of `bins` bins, in the middle of equal shares.
+/// Indices of `count` out of `bins` bins, in the middle of equal shares.
 fn spread(count: usize, bins: usize) -> Vec<usize> {
     (0..count)
         .map(|k| (2 * k + 1) * bins / (2 * count))
         .collect()
 }
 
-/// The rows of one θh while they are gathered.
+/// Accumulated rows and sums of one θh.
 #[derive(Default)]
 struct SlabBuilder {
     rows: Vec<CellRow>,
@@ -210,7 +211,7 @@ struct SlabBuilder {
     sums: [f64; 3],
     grazing: f64,
     weights: f64,
-    /// CellRow weights are in this unit, as f32 hold no 1e-40.
+    /// Unit of the rows' weights, as f32 cannot hold 1e-40.
     unit: f64,
 }
 
@@ -296,7 +297,7 @@ impl SlabBuilder {
     }
 }
 
-/// The solid angle of a bin of θh, up to a factor that all cells share: all others have the same width.
+/// Solid angle of a bin of θh, up to a factor common to all cells: θd and φd bins have the same width.
 fn bin_solid_angle(theta_h: usize) -> f64 {
     let edge = |i: usize| (i as f64 / THETA_H_BINS as f64).powi(2) * FRAC_PI_2;
     // cos a − cos b without cancellation.
@@ -304,7 +305,7 @@ fn bin_solid_angle(theta_h: usize) -> f64 {
         * (0.5 * (edge(theta_h + 1) - edge(theta_h))).sin()
 }
 
-/// The φd bins of a symmetric cell: φd, π − φd, and both plus π.
+/// φd bin of a mirror of a symmetric cell: φd, π − φd, and both plus π.
 fn mirrored(phi_d: usize, mirror: usize, grid: Grid) -> usize {
     debug_assert!(phi_d < PER_ROW && mirror < grid.phi_d_bins() / PER_ROW);
     let half_turn = 2 * PER_ROW * (mirror / 2);

@@ -14,7 +14,7 @@ fn problem() -> Problem {
     Problem::new(&SAMPLES[0].synthesize(), Weight::Cosine, NO_LIMIT).expect("is measured")
 }
 
-/// The largest difference between the lobe of the kernel and that of the model, over the cells of a sample.
+/// Largest difference between the lobe of the kernel and that of the model, over the cells of a sample.
 fn worst(problem: &Problem, variant: Variant, params: Params, shape: LobeShape) -> f64 {
     let cells = &problem.coarse;
     let mut shapes = Vec::new();

@@ -1,10 +1,10 @@
-//! Whether a pass over the data uses one thread or all.
+//! Threads of a pass over the data.
 
-/// Whether a pass is spread over the threads of the pool, or stays on the one it is called from.
+/// Number of threads that a pass uses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Threads {
-    /// For many cells.
+    /// All threads of the pool, for many cells.
     Many,
-    /// The calling one, for small samples that are worked on side by side.
+    /// The calling thread alone, for small samples that are evaluated side by side.
     One,
 }

@@ -1,18 +1,18 @@
-//! Fitting one variant or several: what a variant contains is fitted with it, once.
+//! Fits of one variant or several: variants that one contains are fitted with it, once.
 
 use super::multistart::StartGrid;
-use super::options::{Options, Variant};
-use super::outcome::{Ended, Outcome, Progress, Watch};
+use super::options::{FitOptions, Variant};
+use super::outcome::{EndReason, FitProgress, Outcome, Watch};
 use super::problem::Problem;
 use super::staged_fit::StagedFit;
-use crate::brdf::{MODELS, ParamId, params};
+use crate::brdf::{MODELS, ParamId};
 use std::ops::ControlFlow;
 
-/// Fits one variant.
+/// Fits a variant.
 ///
-/// Stopped by `watch`, the outcome is the best so far. A variant that contains others (the combined model at α = 0
-/// and 1) is never worse than these, fitted likewise.
-pub fn fit(problem: &Problem, variant: Variant, options: &Options, watch: Watch) -> Outcome {
+/// Where `watch` stops it, the outcome is the best model so far. A variant that contains others (the combined model at
+/// α = 0 and 1) is never worse than these, fitted under the same options.
+pub fn fit(problem: &Problem, variant: Variant, options: &FitOptions, watch: Watch) -> Outcome {
     fit_knowing(
         problem,
         variant,
@@ -23,22 +23,22 @@ pub fn fit(problem: &Problem, variant: Variant, options: &Options, watch: Watch)
     )
 }
 
-/// Fits several variants; what one finds helps those that contain it, so this is quicker than one by one.
+/// Fits several variants; each outcome helps the variants that contain it, so this is quicker than one by one.
 ///
-/// `watch` also gets the position of the variant under way. Stopped, the outcomes so far are returned, the one
+/// `watch` also gets the index of the variant under way. Where it stops, the outcomes so far are returned, the one
 /// under way as the last of them.
 pub fn fit_all(
     problem: &Problem,
     variants: &[Variant],
-    options: &Options,
-    watch: &mut (dyn FnMut(usize, &Progress) -> ControlFlow<()> + Send),
+    options: &FitOptions,
+    watch: &mut (dyn FnMut(usize, &FitProgress) -> ControlFlow<()> + Send),
 ) -> Vec<Outcome> {
     let mut outcomes: Vec<Outcome> = Vec::new();
     let mut grid = StartGrid::default();
     for (position, variant) in variants.iter().enumerate() {
-        let mut watch = |progress: &Progress| watch(position, progress);
+        let mut watch = |progress: &FitProgress| watch(position, progress);
         let outcome = fit_knowing(problem, *variant, options, &outcomes, &mut grid, &mut watch);
-        let stopped = outcome.ended == Ended::Cancelled;
+        let stopped = outcome.ended == EndReason::Cancelled;
         outcomes.push(outcome);
         if stopped {
             break;
@@ -47,11 +47,11 @@ pub fn fit_all(
     outcomes
 }
 
-/// Fits a variant with what is known of others under the same options.
+/// Fits a variant, reusing outcomes of others under the same options.
 fn fit_knowing(
     problem: &Problem,
     variant: Variant,
-    options: &Options,
+    options: &FitOptions,
     known: &[Outcome],
     grid: &mut StartGrid,
     watch: Watch,
@@ -77,8 +77,8 @@ fn fit_knowing(
     })
 }
 
-/// The variants that equal this one at some α, with the options that mean the same for them.
-fn contained_variants(variant: Variant, options: &Options) -> Vec<(Variant, Options)> {
+/// Variants that equal this one at some α, with the equivalent options for them.
+fn contained_variants(variant: Variant, options: &FitOptions) -> Vec<(Variant, FitOptions)> {
     let Some(alpha) = variant.model.param(ParamId::Alpha) else {
         return Vec::new();
     };
@@ -95,11 +95,8 @@ fn contained_variants(variant: Variant, options: &Options) -> Vec<(Variant, Opti
             let mut inner = *options;
             inner.held.s = inner.held.s.map(|s| s * ratio);
             inner.start.s = inner.start.s.map(|s| s * ratio);
-            for (bounds, row) in inner.bounds.iter_mut().zip(params::ALL) {
-                if row.id == ParamId::S {
-                    *bounds = bounds.map(|(low, high)| (low * ratio, high * ratio));
-                }
-            }
+            let bounds = inner.bounds.s;
+            inner.bounds.s = bounds.map(|(low, high)| (low * ratio, high * ratio));
             let fresnel = variant.fresnel;
             (Variant { model, fresnel }, inner)
         })

@@ -1,38 +1,38 @@
-//! The exact minimum of an L1 regression with two amplitudes.
+//! Exact minimum of an L1 regression with two amplitudes.
 //!
-//! Σ w |a + b x − f| + la·a + lb·b is linear between the lines a + b x = f, so that a minimum is where two of them,
-//! or one and a bound, cross. From a point nearby the walk goes along such lines, each time to the lowest point of
-//! the line: a weighted median. Where no line through the point leads down, convexity says that nothing does.
+//! Σ w |a + b x − f| + la·a + lb·b is linear between the lines a + b x = f, so that a minimum is where two of them, or
+//! one and a bound, cross. From a point nearby the walk goes along such lines, each time to the lowest point of the
+//! line: a weighted median. Where no line through the point leads down, by convexity it is the minimum.
 
-/// A cell: x = R_F · lobe, its f_r and its weight.
+/// Observation of the regression: a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Observation {
-    /// Factor of b.
+    /// Specular shape R_F · lobe, the factor of b.
     pub x: f64,
-    /// Measured.
+    /// Measured f_r, in the unit of the cells.
     pub f: f64,
-    /// Weight, > 0.
+    /// Weight w, > 0.
     pub w: f64,
 }
 
-/// The sum to be minimised.
+/// Sum to be minimised, over (a, b) within bounds.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct L1Sum {
     /// Cells whose residual may change its sign.
     pub cells: Vec<Observation>,
-    /// Slopes in a and b of all the others.
+    /// Slopes in a and b of all other cells.
     pub linear: [f64; 2],
-    /// Bounds of a and b.
+    /// Bounds of a and b, (smallest, largest).
     pub bounds: [(f64, f64); 2],
 }
 
-/// Steps at most; a walk from a point nearby takes about ten.
+/// Largest number of steps; a walk from a point nearby takes about ten.
 const STEPS: usize = 500;
-/// Lines through a point that are followed at most.
+/// Largest number of lines through a point that are followed.
 const MOST_LINES: usize = 64;
 
 impl L1Sum {
-    /// The sum at (a, b), up to a constant of the cells that are not here.
+    /// Value at (a, b), up to a constant of the cells that are not listed.
     pub fn value(&self, [a, b]: [f64; 2]) -> f64 {
         let cells = self
             .cells
@@ -64,7 +64,7 @@ impl L1Sum {
         at
     }
 
-    /// The directions of the lines through a point.
+    /// Directions of the lines through a point, and of both axes.
     fn directions(&self, [a, b]: [f64; 2]) -> Vec<[f64; 2]> {
         let mut found: Vec<[f64; 2]> = self
             .cells
@@ -85,9 +85,9 @@ impl L1Sum {
         found
     }
 
-    /// The lowest point of the line through `at`, if it is lower.
+    /// Lowest point of the line through `at` with its value, if it is lower; else `at` and `value`.
     fn best_along(&self, at: [f64; 2], value: f64, direction: [f64; 2]) -> ([f64; 2], f64) {
-        let Some(t) = self.lowest(at, direction) else {
+        let Some(t) = self.lowest_along(at, direction) else {
             return (at, value);
         };
         let to = std::array::from_fn(|k| {
@@ -101,8 +101,8 @@ impl L1Sum {
         }
     }
 
-    /// How far along the direction the lowest point is: where the slopes before and after change their sign.
-    fn lowest(&self, [a, b]: [f64; 2], direction: [f64; 2]) -> Option<f64> {
+    /// Parameter t of the lowest point along the direction, where the slope changes its sign.
+    fn lowest_along(&self, [a, b]: [f64; 2], direction: [f64; 2]) -> Option<f64> {
         let mut slope = self.linear[0] * direction[0] + self.linear[1] * direction[1];
         let mut kinks = Vec::with_capacity(self.cells.len());
         for cell in &self.cells {
@@ -125,7 +125,7 @@ impl L1Sum {
         let lowest = if slope >= 0.0 {
             low
         } else {
-            turn(&mut kinks, slope).unwrap_or(high)
+            first_upward_kink(&mut kinks, slope).unwrap_or(high)
         };
         (low <= high)
             .then(|| lowest.clamp(low, high))
@@ -133,8 +133,8 @@ impl L1Sum {
     }
 }
 
-/// The first kink, by place, at which a slope below 0 is no longer: it grows by twice the weight of each.
-fn turn(mut kinks: &mut [(f64, f64)], mut slope: f64) -> Option<f64> {
+/// Position of the first kink at which a slope below 0 reaches 0: it grows by twice the weight of each.
+fn first_upward_kink(mut kinks: &mut [(f64, f64)], mut slope: f64) -> Option<f64> {
     // Halves rather than all in order: one of them is done with each time.
     while kinks.len() > 1 {
         let middle = (kinks.len() - 1) / 2;
@@ -156,7 +156,7 @@ fn turn(mut kinks: &mut [(f64, f64)], mut slope: f64) -> Option<f64> {
 mod tests {
     use super::*;
 
-    /// Numbers in [0, 1) from a counter [Steele14].
+    /// Generator of numbers in [0, 1) from a counter [Steele14].
     fn random(seed: u64) -> impl FnMut() -> f64 {
         let mut state = seed;
         move || {
@@ -168,7 +168,7 @@ mod tests {
         }
     }
 
-    /// Tries every crossing of two lines, of a line and a bound, and of two bounds.
+    /// Smallest value over every crossing of two lines, of a line and a bound, and of two bounds.
     fn brute_force(sum: &L1Sum) -> f64 {
         let within =
             |k: usize, v: f64| v >= sum.bounds[k].0 - 1e-12 && v <= sum.bounds[k].1 + 1e-12;

@@ -5,18 +5,18 @@ use glam::DVec3;
 
 /// A cosine clamped at 0, with its versine 1 − cos beside it.
 ///
-/// A glossy lobe lives where the cosine rounds to 1: with s = 100,000 a cosine in f32 is off by 1 % of the lobe, its
+/// A glossy lobe lies where the cosine rounds to 1: with s = 100,000 a cosine in f32 is off by 1 % of the lobe, its
 /// versine by 0.001 %. Where the cosine is small it is the other way round.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cosine {
-    /// In [0, 1].
+    /// max(cos, 0), in [0, 1].
     pub cos: f64,
     /// 1 − cos, in [0, 1].
     pub versine: f64,
 }
 
 impl Cosine {
-    /// Of the angle between unit vectors; the versine from their chord: |a − b|² = 2 − 2 a·b.
+    /// Cosine of the angle between unit vectors; the versine from their chord: |a − b|² = 2 − 2 a·b.
     fn between(a: DVec3, b: DVec3) -> Self {
         Self {
             cos: a.dot(b).max(0.0),
@@ -24,7 +24,7 @@ impl Cosine {
         }
     }
 
-    /// cos^exponent for exponent > 0, by whichever of the two is exact.
+    /// cos^exponent for exponent > 0; from the versine where that is below ½, from the cosine elsewhere.
     pub fn pow(self, exponent: f64) -> f64 {
         let ln = if self.versine < 0.5 {
             (-self.versine).ln_1p()
@@ -35,16 +35,16 @@ impl Cosine {
     }
 }
 
-/// What a reflection model needs to know of (wi, wo).
+/// Cosines of (wi, wo) that a reflection model is a function of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cosines {
     /// wi·n, not clamped: negative below the horizon.
     pub cos_theta_i: f64,
     /// wo·n, not clamped: negative below the horizon.
     pub cos_theta_o: f64,
-    /// wr·wo.
+    /// wr·wo, clamped at 0.
     pub wr_wo: Cosine,
-    /// wh·n.
+    /// wh·n, clamped at 0.
     pub wh_n: Cosine,
     /// max(wi·wh, 0) = cos θd, in [0, 1].
     pub wi_dot_wh: f64,

@@ -1,4 +1,4 @@
-// Twin of cosines.rs. Directions are unit vectors in the local frame, z = n. Types are written out: brdf/share makes
+// Twin of cosines.rs. Directions are unit vectors in the local frame, z = n. Types are written out: brdf/codegen makes
 // GLSL of this.
 
 struct Cosine {

@@ -1,4 +1,4 @@
-//! Angles in files: degrees there, radians here. For `#[serde(with = "degrees")]`.
+//! Serde adapter for angles: degrees in files, radians in memory. For `#[serde(with = "degrees")]`.
 //!
 //! Degrees are rounded to 10⁻⁹, so that 30° is written as 30 and read back as the radians of 30°. What is read from a
 //! file is written back the same.
@@ -6,27 +6,27 @@
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::ops::RangeInclusive;
 
-/// Degrees from radians, as files have them.
+/// Degrees from radians, rounded to 10⁻⁹ as in files.
 pub fn rounded(radians: f64) -> f64 {
     (radians.to_degrees() * 1e9).round() / 1e9
 }
 
-/// Writes radians as degrees.
+/// Serializes angles in radians as degrees.
 ///
 /// # Errors
-/// Those of the writer.
-pub fn serialize<T: Angles + Serialize, S: Serializer>(
+/// Errors of the serializer.
+pub fn serialize<T: HasAngles + Serialize, S: Serializer>(
     radians: &T,
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
     radians.each(&rounded).serialize(serializer)
 }
 
-/// Reads degrees as radians.
+/// Deserializes angles in degrees as radians.
 ///
 /// # Errors
-/// Those of the reader, and for angles that are not finite or of more than ten turns.
-pub fn deserialize<'de, T: Angles + Deserialize<'de>, D: Deserializer<'de>>(
+/// Errors of the deserializer; angles that are not finite or outside of −3600° to 3600°.
+pub fn deserialize<'de, T: HasAngles + Deserialize<'de>, D: Deserializer<'de>>(
     deserializer: D,
 ) -> Result<T, D::Error> {
     const SANE: RangeInclusive<f64> = -3600.0..=3600.0;
@@ -45,16 +45,16 @@ pub fn deserialize<'de, T: Angles + Deserialize<'de>, D: Deserializer<'de>>(
     }
 }
 
-/// One angle or several.
-pub trait Angles: Sized {
-    /// The same with every angle changed.
+/// A value that holds angles: one, a pair, a list, or none.
+pub trait HasAngles: Sized {
+    /// A copy with `change` applied to every angle.
     fn each(&self, change: &impl Fn(f64) -> f64) -> Self;
 
-    /// Looks at every angle.
+    /// Calls `look` with every angle in turn.
     fn visit(&self, look: &mut impl FnMut(f64));
 }
 
-impl Angles for f64 {
+impl HasAngles for f64 {
     fn each(&self, change: &impl Fn(f64) -> f64) -> Self {
         change(*self)
     }
@@ -64,7 +64,7 @@ impl Angles for f64 {
     }
 }
 
-impl Angles for [f64; 2] {
+impl HasAngles for [f64; 2] {
     fn each(&self, change: &impl Fn(f64) -> f64) -> Self {
         self.map(change)
     }
@@ -74,7 +74,7 @@ impl Angles for [f64; 2] {
     }
 }
 
-impl Angles for Vec<f64> {
+impl HasAngles for Vec<f64> {
     fn each(&self, change: &impl Fn(f64) -> f64) -> Self {
         self.iter().copied().map(change).collect()
     }
@@ -84,7 +84,7 @@ impl Angles for Vec<f64> {
     }
 }
 
-impl<T: Angles> Angles for Option<T> {
+impl<T: HasAngles> HasAngles for Option<T> {
     fn each(&self, change: &impl Fn(f64) -> f64) -> Self {
         self.as_ref().map(|angles| angles.each(change))
     }

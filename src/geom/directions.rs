@@ -33,7 +33,7 @@ pub fn wrap(angle: f64, period: f64) -> f64 {
     if wrapped < period { wrapped } else { 0.0 }
 }
 
-/// How long a sum of unit vectors must be to have a direction: what is shorter is the rounding of sines and cosines.
+/// Length below which a sum of unit vectors has no direction: it is the rounding of sines and cosines.
 pub(super) const ROUNDING: f64 = 1e-12;
 
 /// Whether wo = −wi up to rounding, so that there is no half vector.

@@ -15,13 +15,13 @@ pub struct HalfDiff {
     pub theta_h: f64,
     /// Angle between wh and wi (and between wh and wo).
     pub theta_d: f64,
-    /// Azimuth of wi around wh, from the plane that holds n and wh. 0 where wh = n or wi = wh leaves it undefined.
+    /// Azimuth of wi around wh, from the plane of n and wh; 0 where wh = n or wi = wh leaves it undefined.
     pub phi_d: f64,
 }
 
 impl HalfDiff {
-    /// The angles of (wi, wo). `None` where wi = −wo off the horizon, which have no half vector; on the horizon it
-    /// is the limit of [`half_vector`].
+    /// Half and difference angles of the unit vectors (wi, wo). `None` where wi = −wo off the horizon, which have no
+    /// half vector; on the horizon they are the limit of [`half_vector`].
     pub fn from_directions(wi: DVec3, wo: DVec3) -> Option<Self> {
         if opposite(wi, wo) && wi.z.abs() > ROUNDING {
             return None;
@@ -52,7 +52,7 @@ impl HalfDiff {
         })
     }
 
-    /// One pair (wi, wo) with these angles: the one whose half vector is in the plane y = 0, x ≥ 0.
+    /// A pair of unit vectors (wi, wo) with these angles: the one whose half vector is in the plane y = 0, x ≥ 0.
     pub fn to_directions(self) -> (DVec3, DVec3) {
         let (sin_h, cos_h) = self.theta_h.sin_cos();
         let (sin_d, cos_d) = self.theta_d.sin_cos();
@@ -63,7 +63,7 @@ impl HalfDiff {
         (cos_d * wh + across, cos_d * wh - across)
     }
 
-    /// The same with `phi_d` folded by +π into [0, π): reciprocity says f(wi, wo) = f(wo, wi).
+    /// Angles with `phi_d` folded by +π into [0, π): reciprocity says f_r(wi, wo) = f_r(wo, wi).
     pub fn folded(self) -> Self {
         Self {
             phi_d: wrap(self.phi_d, PI),
@@ -71,8 +71,8 @@ impl HalfDiff {
         }
     }
 
-    /// The cosines that the models are made of, straight from the angles:
-    /// `cos θi, cos θo = cos θh cos θd ∓ sin θh sin θd cos φd` and `wr·wo = 2 cos θi cos θo − cos 2θd`.
+    /// Cosines of the pair of directions, from the angles without vectors: `cos θi, cos θo = cos θh cos θd ∓ sin θh sin
+    /// θd cos φd` and `wr·wo = 2 cos θi cos θo − cos 2θd`.
     pub fn cosines(self) -> Cosines {
         let (sin_h, cos_h) = self.theta_h.sin_cos();
         let (sin_d, cos_d) = self.theta_d.sin_cos();
@@ -103,7 +103,7 @@ mod tests {
     use proptest::prelude::*;
     use std::f64::consts::FRAC_PI_2;
 
-    /// Distance of two azimuths on a circle of the given period.
+    /// Distance between two azimuths on a circle of the given period.
     fn azimuth_distance(a: f64, b: f64, period: f64) -> f64 {
         let d = wrap(a - b, period);
         d.min(period - d)

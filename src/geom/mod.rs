@@ -17,5 +17,5 @@ pub use cosines::{Cosine, Cosines};
 pub use directions::{direction, mirror};
 pub use half_diff::HalfDiff;
 
-/// Red, green, blue; linear unless a name says otherwise.
+/// Red, green and blue values; linear unless a name says otherwise.
 pub type Rgb = [f64; 3];

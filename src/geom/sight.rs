@@ -1,17 +1,17 @@
-//! The part of a sphere that is in sight.
+//! The visible part of a sphere: zoom and centre.
 
 use serde::{Deserialize, Serialize};
 
-/// How far the sphere is enlarged at most.
-const MOST: f64 = 50.0;
+/// Largest zoom.
+const MAX_ZOOM: f64 = 50.0;
 
-/// A part of the sphere, enlarged.
+/// Zoom and centre of a view of the sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Sight {
-    /// 1 where all of the sphere just fits.
+    /// Magnification, in [1, 50]; 1 where the whole sphere just fits.
     pub zoom: f64,
-    /// What is in the middle, in units of the radius, x to the right and y up.
+    /// Point in the middle of the view, in units of the radius, x to the right and y up.
     pub center: [f64; 2],
 }
 
@@ -25,7 +25,8 @@ impl Default for Sight {
 }
 
 impl Sight {
-    /// The nearest one that can be shown.
+    /// The nearest view that can be shown: zoom in [1, 50], centre in [−1, 1]²; the whole sphere where the centre is
+    /// not finite.
     pub fn sanitized(self) -> Self {
         let finite = self.center.iter().all(|x| x.is_finite());
         if finite {
@@ -35,7 +36,7 @@ impl Sight {
         }
     }
 
-    /// The point of the sphere at a place of the picture; both in units of the radius, x to the right and y up.
+    /// Point of the sphere at a point of the picture; both in units of the radius, x to the right and y up.
     pub fn point(self, x: f64, y: f64) -> (f64, f64) {
         (
             self.center[0] + x / self.zoom,
@@ -43,9 +44,10 @@ impl Sight {
         )
     }
 
-    /// Enlarged by `factor` around a point that stays where it is; the whole sphere where it would get smaller.
+    /// View with the zoom multiplied by `factor` around a point that stays in place; the whole sphere where the zoom
+    /// would not exceed 1.
     pub fn zoomed(self, factor: f64, point: [f64; 2]) -> Self {
-        let zoom = (self.zoom * factor).clamp(1.0, MOST);
+        let zoom = (self.zoom * factor).clamp(1.0, MAX_ZOOM);
         if zoom == 1.0 || !zoom.is_finite() {
             return Self::default();
         }
@@ -85,6 +87,6 @@ mod tests {
         };
         assert_eq!(odd(4.0, f64::NAN), Sight::default());
         assert_eq!(odd(-4.0, 0.5), Sight::default());
-        assert_eq!(odd(1e9, 7.0), odd(MOST, 1.0));
+        assert_eq!(odd(1e9, 7.0), odd(MAX_ZOOM, 1.0));
     }
 }

@@ -1,4 +1,4 @@
-//! The sphere as numbers: lights, exposure, and the geometry between a point of the picture and (wi, wo).
+//! The lit sphere as numbers: lights, exposure, and the geometry between a point of the picture and (wi, wo).
 //!
 //! View space: x to the right, y up, z to the viewer, who looks from infinitely far. The sphere fills the square
 //! [−1, 1]²; a point of the picture is given in these units.
@@ -8,26 +8,26 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
-/// How many lights the pass adds up.
+/// Largest number of lights that are added up.
 pub const MAX_LIGHTS: usize = 4;
 
-/// A light infinitely far away.
+/// A directional light.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Light {
     /// Unit vector towards the light in view space. z < 0 is behind the sphere.
     pub direction: DVec3,
-    /// Colour and strength. At strength 1 the irradiance is π, so that a white diffuse surface that faces the light
-    /// has the value 1 at 0 stops.
+    /// Colour and strength, linear RGB. At strength 1 the irradiance is π, so that a white diffuse surface that faces
+    /// the light has the value 1 at 0 stops.
     pub strength: Rgb,
 }
 
-/// How the sphere is lit and exposed.
+/// Lights and exposure of the sphere.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct SphereView {
-    /// At most [`MAX_LIGHTS`] count.
+    /// Lights; those after the first [`MAX_LIGHTS`] do not count.
     pub lights: Vec<Light>,
-    /// Exposure in stops: radiance × 2^stops.
+    /// Exposure in stops: radiance is multiplied by 2^stops.
     pub exposure_stops: f64,
 }
 
@@ -44,17 +44,17 @@ impl Default for SphereView {
 /// A named set of lights.
 #[derive(Debug)]
 pub struct LightPreset {
-    /// Name on the command line.
+    /// Name on the command line, e.g. "poster".
     pub key: &'static str,
-    /// Name on screen.
+    /// Display name, e.g. "Glancing and grazing".
     pub name: &'static str,
-    /// One sentence.
+    /// Description in one phrase.
     pub help: &'static str,
-    /// The lights.
+    /// Makes the lights of the set.
     pub lights: fn() -> Vec<Light>,
 }
 
-/// The sets offered.
+/// All light presets, in the order in which they are offered.
 pub static LIGHT_PRESETS: [LightPreset; 4] = [
     LightPreset {
         key: "poster",
@@ -83,7 +83,8 @@ pub static LIGHT_PRESETS: [LightPreset; 4] = [
 ];
 
 impl Light {
-    /// White at strength 1, from `theta` off the viewer's axis, and there `phi` from the right towards above; in radians.
+    /// White light of strength 1 at the angle `theta` from the viewer's axis, and there at `phi` from the right towards
+    /// above; radians.
     pub fn from_angles(theta: f64, phi: f64) -> Self {
         let (sin_theta, cos_theta) = theta.sin_cos();
         let (sin_phi, cos_phi) = phi.sin_cos();
@@ -110,16 +111,16 @@ fn light(x: f64, y: f64, z: f64) -> Light {
     }
 }
 
-/// Towards the viewer.
+/// Direction to the viewer in view space.
 const VIEW: DVec3 = DVec3::Z;
 
-/// The unit normal at a point of the picture; `None` outside the sphere.
+/// Unit normal in view space at a point of the picture; `None` outside the sphere.
 pub fn normal_at(x: f64, y: f64) -> Option<DVec3> {
     let rest = 1.0 - x * x - y * y;
     (rest > 0.0).then(|| DVec3::new(x, y, rest.sqrt()))
 }
 
-/// (wi, wo) in the local frame at a point of the picture; `None` outside the sphere.
+/// Directions (wi, wo) in the local frame at a point of the picture; `None` outside the sphere.
 ///
 /// The frame is turned such that wo has azimuth 0.
 pub fn local_directions(x: f64, y: f64, light: &Light) -> Option<(DVec3, DVec3)> {
@@ -132,8 +133,8 @@ pub fn local_directions(x: f64, y: f64, light: &Light) -> Option<(DVec3, DVec3)>
     Some((local(light.direction), local(VIEW)))
 }
 
-/// The point of the picture where the light and the viewer have this θ_h and φ_d, and the θ_d in radians that they
-/// have on the whole sphere; `None` where that point is not lit or not in sight.
+/// Point of the picture at which the light and the viewer have this θ_h and φ_d, and the θ_d in radians that they have
+/// on the whole sphere; `None` where that point is not lit or not visible.
 pub fn point_of(angles: HalfDiff, light: &Light) -> Option<((f64, f64), f64)> {
     let frame = |wi: DVec3, wo: DVec3| {
         let wh = (wi + wo).try_normalize()?;
@@ -148,31 +149,35 @@ pub fn point_of(angles: HalfDiff, light: &Light) -> Option<((f64, f64), f64)> {
     (n.z >= 0.0 && n.dot(light.direction) >= 0.0).then_some(((n.x, n.y), theta_d))
 }
 
-/// The light direction whose mirror highlight is at a point of the picture; points outside count as the rim.
+/// Direction of the light whose mirror highlight is at a point of the picture; points outside count as the rim.
 pub fn light_for_highlight_at(x: f64, y: f64) -> DVec3 {
     let radius = x.hypot(y);
-    let scale = if radius > RIM { RIM / radius } else { 1.0 };
+    let scale = if radius > MAX_HIGHLIGHT_RADIUS {
+        MAX_HIGHLIGHT_RADIUS / radius
+    } else {
+        1.0
+    };
     let (x, y) = (x * scale, y * scale);
     let n = DVec3::new(x, y, (1.0 - x * x - y * y).sqrt());
     2.0 * n.z * n - VIEW
 }
 
-/// The largest radius a highlight is dragged to. There the light is 176° from the viewer's axis.
-const RIM: f64 = 0.9994;
+/// Largest radius to which a highlight is dragged. There the light is 176° from the viewer's axis.
+const MAX_HIGHLIGHT_RADIUS: f64 = 0.9994;
 
-/// Where on the picture the mirror highlight of a light is.
+/// Point of the picture at which the mirror highlight of a light is.
 pub fn highlight_of(light: &Light) -> (f64, f64) {
     let n = (light.direction + VIEW).try_normalize().unwrap_or(DVec3::X);
     (n.x, n.y)
 }
 
-/// Irradiance of a light that a surface faces, on the exposed picture.
+/// Irradiance on a surface that faces a light, times 2^stops.
 pub fn irradiance(light: &Light, exposure_stops: f64) -> Rgb {
     let gain = PI * exposure_stops.exp2();
     light.strength.map(|strength| gain * strength)
 }
 
-/// The two tones of the hatch on unmeasured directions, sRGB-encoded: visible on light and dark ground.
+/// The two sRGB colours with alpha of the hatch on unmeasured directions: visible on light and dark ground.
 pub const HATCH: [[f32; 4]; 2] = [[0.36, 0.36, 0.40, 1.0], [0.62, 0.62, 0.66, 1.0]];
 
 #[cfg(test)]

@@ -1,31 +1,32 @@
-//! How far the model's sphere is from the measured one, as a place on a colour map. Twin: `sphere_error` in
+//! Error of the model's sphere against the measured one, as a position on a colour map. Twin: `sphere_error` in
 //! `gpu/sphere.wgsl`.
 
 use super::Rgb;
 use super::color::luminance;
 use serde::{Deserialize, Serialize};
 
-/// What is compared at a point of the sphere; both are of the luminance of what is seen there.
+/// Measure of error at a point of the sphere; of the luminance of the exposed picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SphereError {
     /// |model − measured|.
     Difference,
-    /// Model over measured, in powers of two.
+    /// log2(model / measured).
     Ratio,
 }
 
-/// The difference at the upper end of the map, in units of white on the exposed picture.
+/// Difference at the upper end of the colour map, in units of white on the exposed picture.
 pub const DIFFERENCE_LIMIT: f64 = 0.5;
 
-/// The ratio at the ends of the map: a factor of 2 to this power, below and above.
+/// Absolute value of log2(model / measured) at both ends of the colour map.
 pub const RATIO_STOPS: f64 = 2.0;
 
-/// Radiance on the exposed picture below which there is nothing to compare.
+/// Luminance on the exposed picture below which a point counts as unlit.
 pub const NO_LIGHT: f64 = 1e-9;
 
 impl SphereError {
-    /// The place on the map, in [0, 1], of two radiances on the exposed picture; `None` where neither is lit.
+    /// Position on the colour map, in [0, 1], of two radiances on the exposed picture, linear RGB; `None` where neither
+    /// is lit.
     pub fn place(self, measured: Rgb, model: Rgb) -> Option<f64> {
         let (measured, model) = (luminance(measured), luminance(model));
         if measured.max(model) < NO_LIGHT {

@@ -1,24 +1,24 @@
-//! Which graphics adapter draws: a hardware one with a modern interface, else GL, else software; the first that works.
+//! Selection of the graphics adapter: hardware with a modern interface, else GL, else software; the first that works.
 
 use wgpu::{Adapter, AdapterInfo, Backend, DeviceDescriptor, DeviceType, Surface};
 
-/// Environment variable that names the adapter to take (part of its name, any case).
+/// Environment variable that names the adapter to use (part of its name, any case).
 pub const ADAPTER_NAME: &str = "WGPU_ADAPTER_NAME";
 
-/// Order of preference, the lowest first.
+/// Preference of an adapter, the most preferred first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Rank {
     /// Vulkan, Metal or DX12 on hardware.
     Modern,
     /// OpenGL on hardware.
     Gl,
-    /// The processor, by Vulkan.
+    /// Software renderer by Vulkan.
     Software,
-    /// The processor, by OpenGL.
+    /// Software renderer by OpenGL.
     SoftwareGl,
 }
 
-/// The rank of an adapter.
+/// Preference of an adapter, by its type, name and interface.
 pub fn rank(info: &AdapterInfo) -> Rank {
     let name = info.name.to_lowercase();
     let software = info.device_type == DeviceType::Cpu
@@ -33,7 +33,7 @@ pub fn rank(info: &AdapterInfo) -> Rank {
     }
 }
 
-/// Takes the first adapter, in the order of [`rank`], that can show on the surface and gives a device.
+/// The first adapter, in the order of [`rank`], that supports the surface and gives a device.
 ///
 /// # Errors
 /// Names the adapters that were tried and why each failed.
@@ -64,7 +64,7 @@ pub fn select(adapters: &[Adapter], surface: Option<&Surface<'_>>) -> Result<Ada
     })
 }
 
-/// What is asked of a device: no more than the adapter has, and little at that.
+/// Limits and features that are requested of a device: no more than the adapter has, close to the downlevel defaults.
 pub fn device_descriptor(adapter: &Adapter) -> DeviceDescriptor<'static> {
     let base = if adapter.get_info().backend == Backend::Gl {
         wgpu::Limits::downlevel_webgl2_defaults()
@@ -83,7 +83,7 @@ pub fn device_descriptor(adapter: &Adapter) -> DeviceDescriptor<'static> {
     }
 }
 
-/// The adapter in words, for people.
+/// Description of an adapter: name, interface, driver.
 pub fn describe(info: &AdapterInfo) -> String {
     let kind = match rank(info) {
         Rank::Modern | Rank::Gl => "",
@@ -96,29 +96,29 @@ pub fn describe(info: &AdapterInfo) -> String {
     format!("{} ({:?}{kind}{driver})", info.name, info.backend)
 }
 
-/// A device without a window.
+/// wgpu device without a window.
 #[derive(Debug)]
 pub struct Gpu {
-    /// The adapter's description.
+    /// Description of the adapter.
     pub info: AdapterInfo,
-    /// The device.
+    /// Logical device.
     pub device: wgpu::Device,
-    /// Its queue.
+    /// Command queue of the device.
     pub queue: wgpu::Queue,
 }
 
-/// Opens a device without a window, in the same order of preference.
+/// Opens a device without a window, by the preference of [`rank`].
 ///
 /// # Errors
-/// As [`select`].
+/// Errors of [`select`].
 pub fn headless() -> Result<Gpu, String> {
     headless_on(wgpu::Backends::all())
 }
 
-/// The same among these interfaces only.
+/// Opens a device without a window on adapters of these interfaces only.
 ///
 /// # Errors
-/// As [`select`].
+/// Errors of [`select`].
 pub fn headless_on(backends: wgpu::Backends) -> Result<Gpu, String> {
     let instance =
         wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());

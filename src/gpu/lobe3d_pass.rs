@@ -1,6 +1,6 @@
-//! Lobes in space: solids, flat surfaces and lines with depth, drawn into a picture of their own.
+//! Render pass of lobes in 3D: solids, flat surfaces and lines with a depth buffer, drawn into a texture of their own.
 //!
-//! A window's pass has no depth; the picture is put into it when it is done, and kept as long as nothing moves.
+//! A window's pass has no depth; the finished texture is copied into it, and kept as long as nothing moves.
 
 mod pipelines;
 
@@ -8,79 +8,79 @@ use glam::{DMat4, DQuat};
 use pipelines::Pipelines;
 use wgpu::util::DeviceExt;
 
-/// A corner of a solid: position, normal, sRGB colour with opacity.
+/// Vertex of a solid: position, normal, colour.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct SolidVertex {
-    /// In the surface's frame.
+    /// Position in the surface's frame.
     pub position: [f32; 3],
-    /// Outwards.
+    /// Outward normal in the surface's frame.
     pub normal: [f32; 3],
-    /// sRGB, opaque.
+    /// sRGB colour; solids are opaque, so that the fourth component does not count.
     pub color: [u8; 4],
 }
 
-/// A corner of a flat surface.
+/// Vertex of a flat surface.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct FlatVertex {
-    /// In the surface's frame.
+    /// Position in the surface's frame.
     pub position: [f32; 3],
-    /// sRGB and opacity.
+    /// sRGB colour with opacity.
     pub color: [u8; 4],
 }
 
-/// A straight piece of a line.
+/// Straight segment of a line.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct LinePiece {
-    /// One end.
+    /// One end, in the surface's frame.
     pub start: [f32; 3],
-    /// In points.
+    /// Width in points.
     pub width: f32,
-    /// The other end.
+    /// Other end, in the surface's frame.
     pub end: [f32; 3],
-    /// How much of the colour is left behind a solid, from 0 to 1.
+    /// Factor on the opacity behind a solid, in [0, 1].
     pub behind: f32,
-    /// sRGB and opacity.
+    /// sRGB colour with opacity.
     pub color: [u8; 4],
 }
 
-/// Everything in space.
+/// Geometry of a 3D scene.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SpaceScene {
-    /// Corners of the solids.
+    /// Vertices of the solids.
     pub solid: Vec<SolidVertex>,
-    /// Three per triangle, into `solid`.
+    /// Indices into `solid`, three per triangle.
     pub triangles: Vec<u32>,
-    /// Three corners per triangle.
+    /// Vertices of the flat surfaces, three per triangle.
     pub flat: Vec<FlatVertex>,
-    /// Later ones over earlier ones.
+    /// Line segments, later ones drawn over earlier ones.
     pub lines: Vec<LinePiece>,
 }
 
-/// Where it is seen from, and how large.
+/// Orthographic view of a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpaceView {
-    /// From the surface's frame to the view: x to the right, y up, z to the eye.
+    /// Rotation from the surface's frame to view space: x to the right, y up, z to the eye.
     pub rotation: DQuat,
-    /// What of the view is in the middle of the picture.
+    /// Point of view space that is placed at `offset_px`.
     pub center: [f64; 2],
-    /// Where that is, in pixels from the middle, y down.
+    /// Pixels from the middle of the picture at which `center` is placed, y down.
     pub offset_px: [f64; 2],
-    /// Pixels per unit.
+    /// Scale in pixels per unit.
     pub scale_px: f64,
-    /// Width and height in pixels.
+    /// Width and height of the picture in pixels.
     pub size_px: [u32; 2],
     /// Pixels per point.
     pub density: f32,
 }
 
-/// Half the depth of the space that is drawn, in units.
+/// Half the depth of the clip volume, in units.
 const DEPTH: f64 = 4.0;
 
 impl SpaceView {
-    /// From the surface's frame to clip space.
+    /// Transformation from the surface's frame to clip space.
     fn clip_from_world(&self) -> DMat4 {
         let [width, height] = self.size_px.map(|n| 0.5 * f64::from(n.max(1)));
         let (sx, sy) = (self.scale_px / width, self.scale_px / height);
@@ -104,7 +104,7 @@ impl SpaceView {
     }
 }
 
-/// The uniform `Space` of `lobe3d.wgsl`, in its layout.
+/// Uniform `Space` of `lobe3d.wgsl`, in its layout.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct SpaceUniform {
@@ -116,7 +116,7 @@ pub struct SpaceUniform {
 }
 
 impl SpaceUniform {
-    /// Name and offset of every member, for the test that holds them against the shader.
+    /// Name and offset in bytes of every member, for the test that compares them with the shader.
     pub fn offsets() -> [(&'static str, usize); 5] {
         use std::mem::offset_of;
         [
@@ -129,13 +129,13 @@ impl SpaceUniform {
     }
 }
 
-/// The pipelines, for one format of the target. The target is in gamma space; blending is premultiplied.
+/// Pipelines for one format of the target. The target is in gamma space; blending is premultiplied.
 #[derive(Debug)]
 pub struct SpacePass {
     pipelines: Pipelines,
 }
 
-/// A picture on the GPU and what it was made from.
+/// Scene on the GPU with the texture that it is drawn into.
 #[derive(Debug)]
 pub struct SpacePicture {
     uniform: wgpu::Buffer,
@@ -145,13 +145,13 @@ pub struct SpacePicture {
     flat: wgpu::Buffer,
     lines: wgpu::Buffer,
     counts: [u32; 3],
-    target: Option<Target>,
-    /// What the target shows.
+    target: Option<PictureTarget>,
+    /// View that the target shows.
     shown: Option<SpaceView>,
 }
 
 #[derive(Debug)]
-struct Target {
+struct PictureTarget {
     size_px: [u32; 2],
     color: wgpu::TextureView,
     smoothed: wgpu::TextureView,
@@ -160,7 +160,7 @@ struct Target {
 }
 
 impl SpacePass {
-    /// Compiles it.
+    /// Compiles shaders and pipelines.
     pub fn new(device: &wgpu::Device, format: wgpu::TextureFormat) -> Self {
         Self {
             pipelines: Pipelines::new(device, format),
@@ -208,7 +208,7 @@ impl SpacePass {
         }
     }
 
-    /// Draws a picture where it is not what it shows already.
+    /// Draws a picture, unless its target shows this view already.
     pub fn render(
         &self,
         device: &wgpu::Device,
@@ -230,7 +230,7 @@ impl SpacePass {
         picture.shown = Some(*view);
     }
 
-    /// Puts the picture over the whole viewport of a pass.
+    /// Copies the picture over the whole viewport of a pass.
     pub fn blit(&self, pass: &mut wgpu::RenderPass<'_>, picture: &SpacePicture) {
         if let Some(target) = &picture.target {
             pass.set_pipeline(&self.pipelines.blit);
@@ -241,7 +241,7 @@ impl SpacePass {
 }
 
 impl SpacePicture {
-    /// Takes over the target of a picture that it replaces.
+    /// Takes over the target of a picture that this one replaces.
     pub fn inherit(&mut self, before: Self) {
         self.target = before.target;
     }

@@ -1,4 +1,4 @@
-//! wgpu without egui: the adapter, tables as textures, the sphere pass, pictures off screen.
+//! wgpu without egui: adapters, tables as textures, the passes of sphere and 3D lobe, off-screen pictures.
 //!
 //! WGSL mirrors the CPU function by function; `tests/window/parity.rs` compares the two as numbers.
 

@@ -1,15 +1,15 @@
-//! Pictures without a window.
+//! Off-screen rendering.
 
 use super::adapter::Gpu;
 use image::RgbaImage;
 
-/// Format of off-screen pictures: gamma space, premultiplied, as a window's.
+/// Texture format of off-screen pictures: gamma space, premultiplied, as a window's.
 pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
-/// Draws into a transparent square of `size` pixels and brings it back.
+/// Draws into a transparent square of `size` pixels and reads it back.
 ///
 /// # Errors
-/// If the device is lost on the way.
+/// The device was lost.
 pub fn render(
     gpu: &Gpu,
     size: u32,

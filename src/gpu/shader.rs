@@ -1,6 +1,6 @@
-//! Shader text, put together from the twins.
+//! WGSL sources of the passes, put together from the twins.
 
-/// Everything that knows angles, models and tables: `eval_brdf`, `half_diff_from_directions`, `lookup_table`.
+/// Library of angles, models and tables: `eval_brdf`, `half_diff_from_directions`, `lookup_table`.
 pub fn library() -> String {
     [
         crate::brdf::wgsl::source().as_str(),
@@ -11,17 +11,17 @@ pub fn library() -> String {
     .join("\n")
 }
 
-/// The sphere pass.
+/// WGSL source of the sphere pass.
 pub fn sphere() -> String {
     library() + include_str!("sphere.wgsl")
 }
 
-/// Lobes in space.
+/// WGSL source of lobes in 3D.
 pub fn lobe3d() -> String {
     include_str!("lobe3d.wgsl").to_string()
 }
 
-/// A picture put into another one.
+/// WGSL source of the copy of a texture over a viewport.
 pub fn blit() -> String {
     include_str!("blit.wgsl").to_string()
 }

@@ -1,4 +1,4 @@
-//! The sphere pass: pipeline, uniform, draw.
+//! Render pass of the sphere: pipelines, uniform, draw.
 
 use super::shader;
 use super::table_texture::TableTexture;
@@ -8,12 +8,12 @@ use crate::geom::sphere::{HATCH, MAX_LIGHTS, SphereView, irradiance};
 use crate::geom::sphere_error::{DIFFERENCE_LIMIT, NO_LIGHT, RATIO_STOPS, SphereError};
 use crate::measured::lookup::Lookup;
 
-/// The uniform `Sphere` of `sphere.wgsl`, in its layout.
+/// Uniform `Sphere` of `sphere.wgsl`, in its layout.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct SphereUniform {
     brdf: [[f32; 4]; UNIFORM_SLOTS],
-    /// Direction and irradiance of each light, in slots of 16 bytes.
+    /// (x, y, z, 0) to the light in view space and irradiance (r, g, b, 0) of each light.
     lights: [[[f32; 4]; 2]; MAX_LIGHTS],
     light_count: u32,
     smoothly: u32,
@@ -26,11 +26,11 @@ pub struct SphereUniform {
     colors: [[f32; 4]; COLORS],
 }
 
-/// Colours of a comparison, at even places from 0 to 1.
+/// Number of colours of a comparison's colour map, at even positions from 0 to 1.
 pub const COLORS: usize = 33;
 
 impl SphereUniform {
-    /// Name and offset of every member, for the test that holds them against the shader.
+    /// Name and offset in bytes of every member, for the test that compares them with the shader.
     pub fn offsets() -> [(&'static str, usize); 11] {
         use std::mem::offset_of;
         [
@@ -48,7 +48,7 @@ impl SphereUniform {
         ]
     }
 
-    /// The numbers of one sphere of `radius_px` pixels. Left of `split` (in units of the radius) is the table.
+    /// Uniform of a sphere with a radius of `radius_px` pixels. Left of `split` (in units of the radius) is the table.
     pub fn new(view: &SphereView, brdf: &Brdf, lookup: Lookup, split: f64, radius_px: f32) -> Self {
         let mut lights = [[[0.0; 4]; 2]; MAX_LIGHTS];
         for (slot, light) in lights.iter_mut().zip(&view.lights) {
@@ -72,7 +72,7 @@ impl SphereUniform {
         }
     }
 
-    /// The same with a part in sight: `center`, in units of the radius with y up, in the middle of the square, and the
+    /// Uniform with a zoomed view: `center`, in units of the radius with y up, in the middle of the square, and the
     /// sphere, whose radius is that given before, `zoom` times larger than the square.
     pub fn in_sight(self, center: [f64; 2], zoom: f64) -> Self {
         let [x, y, zoom] = [center[0], center[1], zoom].map(|x| x as f32);
@@ -82,7 +82,7 @@ impl SphereUniform {
         }
     }
 
-    /// The same for [`SpherePass::draw_compared`], with the sRGB colours of the map at even places from 0 to 1.
+    /// Uniform for [`SpherePass::draw_compared`], with the sRGB colours of the map at even positions from 0 to 1.
     pub fn comparing(self, error: SphereError, colors: &[[u8; 3]; COLORS]) -> Self {
         let kind = f32::from(u8::from(error == SphereError::Ratio));
         Self {
@@ -98,7 +98,7 @@ impl SphereUniform {
     }
 }
 
-/// The pipeline, for one format of the target. The target is in gamma space; blending is premultiplied.
+/// Pipelines for one format of the target. The target is in gamma space; blending is premultiplied.
 #[derive(Debug)]
 pub struct SpherePass {
     measured: wgpu::RenderPipeline,
@@ -107,7 +107,7 @@ pub struct SpherePass {
     layout: wgpu::BindGroupLayout,
 }
 
-/// One sphere on the GPU: its uniform and what it is bound to.
+/// Uniform buffer of a sphere and its bind group with a table.
 #[derive(Debug)]
 pub struct SphereSlot {
     uniform: wgpu::Buffer,
@@ -115,7 +115,7 @@ pub struct SphereSlot {
 }
 
 impl SpherePass {
-    /// Compiles the shader.
+    /// Compiles the shader and its pipelines.
     pub fn new(device: &wgpu::Device, format: wgpu::TextureFormat) -> Self {
         let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some("sphere"),
@@ -160,7 +160,7 @@ impl SpherePass {
         }
     }
 
-    /// Makes a slot bound to a table.
+    /// Slot of a sphere, bound to a table.
     pub fn slot(&self, device: &wgpu::Device, table: &TableTexture) -> SphereSlot {
         let uniform = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("sphere"),
@@ -188,7 +188,7 @@ impl SpherePass {
         }
     }
 
-    /// Draws a slot over the whole viewport of a pass.
+    /// Draws table and model of a slot over the whole viewport of a pass.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, slot: &SphereSlot) {
         pass.set_bind_group(0, &slot.bind_group, &[]);
         // A part that is not seen has no area, and costs nothing.
@@ -198,7 +198,7 @@ impl SpherePass {
         }
     }
 
-    /// Draws how far the model of a slot is from its table.
+    /// Draws the error of a slot's model against its table over the whole viewport of a pass.
     pub fn draw_compared(&self, pass: &mut wgpu::RenderPass<'_>, slot: &SphereSlot) {
         pass.set_bind_group(0, &slot.bind_group, &[]);
         pass.set_pipeline(&self.compared);
@@ -207,13 +207,13 @@ impl SpherePass {
 }
 
 impl SphereSlot {
-    /// Gives the slot its numbers for the next draw.
+    /// Uploads the uniform for the next draw.
     pub fn write(&self, queue: &wgpu::Queue, uniform: &SphereUniform) {
         queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(uniform));
     }
 }
 
-/// The pipeline of one part of the sphere, `measured` or `model`, or of their comparison, `compared`.
+/// Pipeline of a part of the sphere, `measured` or `model`, or of their comparison, `compared`.
 fn create_pipeline(
     device: &wgpu::Device,
     module: &wgpu::ShaderModule,

@@ -1,4 +1,4 @@
-//! A measured table on the GPU.
+//! Measured table on the GPU.
 
 use crate::measured::Table;
 use crate::measured::grid::{THETA_D_BINS, THETA_H_BINS};
@@ -8,12 +8,12 @@ use crate::measured::grid::{THETA_D_BINS, THETA_H_BINS};
 /// An array and not a volume: GL adapters hold volumes of 256 texels a side only, and a table may have 360 φ_d bins.
 #[derive(Debug)]
 pub struct TableTexture {
-    /// What shaders read.
+    /// View that shaders bind.
     pub view: wgpu::TextureView,
 }
 
 impl TableTexture {
-    /// Uploads a table: 16 bytes a cell, 23 MB for the usual file.
+    /// Uploads a table: 16 bytes per cell, 23 MB for the usual grid.
     pub fn upload(device: &wgpu::Device, queue: &wgpu::Queue, table: &Table) -> Self {
         let width = table.grid().phi_d_bins();
         let texture = create(
@@ -37,7 +37,7 @@ impl TableTexture {
         Self::of(&texture)
     }
 
-    /// A stand-in where there is no table: nothing is measured.
+    /// Texture without measured values, where there is no table.
     pub fn empty(device: &wgpu::Device, queue: &wgpu::Queue) -> Self {
         let texture = create(device, 1, 1, 2);
         for layer in 0..2 {

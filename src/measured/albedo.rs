@@ -1,4 +1,4 @@
-//! Directional albedo of what was measured: the share of the light from one direction that comes back.
+//! Directional albedo of measured data: the share of the light from one direction that is reflected.
 //!
 //! The bins of a table lie around the half vector, down to 0.01° wide at the mirror direction, so the sum over view
 //! directions goes over half vectors: dωo = 4 (wi·wh) dωh.
@@ -9,23 +9,24 @@ use crate::geom::{Rgb, direction};
 use glam::DVec3;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// What comes back of light from one direction.
+/// Directional albedo over the measured directions, and their share.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reflectance {
-    /// ∫ f_r cos θo dωo over the directions that have a value.
+    /// ∫ f_r cos θo dωo over the directions that have a value, linear RGB.
     pub rgb: Rgb,
-    /// The share of ∫ cos θo dωo = π that has a value, in [0, 1].
+    /// Share of ∫ cos θo dωo = π that has a value, in [0, 1].
     pub measured: f64,
 }
 
 /// Directional-hemispherical reflectance of a table for light from `theta_i` in [0, π/2) radians, over its valid part.
 ///
-/// Right to 1e-3 of what the lookup gives between the cells, holes as they are on the grid.
+/// Accurate to 1e-3 for f_r as the lookup gives it, holes as they are on the grid.
 pub fn albedo(table: &Table, lookup: Lookup, theta_i: f64) -> Reflectance {
     reflectance(theta_i, |wi, wo| table.lookup(wi, wo, lookup))
 }
 
-/// The same of any f_r whose detail is that of the grid: narrow where wh is near the normal, else no finer than a degree.
+/// Directional-hemispherical reflectance of any f_r whose detail is that of the grid: narrow where wh is near the
+/// normal, else no finer than a degree. `theta_i` in radians.
 pub fn reflectance(theta_i: f64, f_r: impl Fn(DVec3, DVec3) -> Option<Rgb>) -> Reflectance {
     // Past this nothing is left of the cosine, and the layout would end.
     let theta_i = theta_i.clamp(0.0, FRAC_PI_2 - 1e-4);
@@ -39,12 +40,12 @@ pub fn reflectance(theta_i: f64, f_r: impl Fn(DVec3, DVec3) -> Option<Rgb>) -> R
             // In the square root of θh, as the bins are.
             let theta_h = t * t * FRAC_PI_2;
             let row = 2.0 * t * FRAC_PI_2 * weight * half;
-            let reach = reach(theta_i, theta_h);
+            let max_phi_h = max_phi_h(theta_i, theta_h);
             // As many as there are bins of φd on the way round.
-            let nodes = ((reach.to_degrees() * 2.0 * NODES_PER_DEGREE).ceil() as usize).max(8);
-            let step = 2.0 * reach / nodes as f64;
+            let nodes = ((max_phi_h.to_degrees() * 2.0 * NODES_PER_DEGREE).ceil() as usize).max(8);
+            let step = 2.0 * max_phi_h / nodes as f64;
             for k in 0..nodes {
-                let phi = (k as f64 + 0.5) * step - reach;
+                let phi = (k as f64 + 0.5) * step - max_phi_h;
                 let wh = direction(theta_h, phi);
                 let cos_d = wi.dot(wh);
                 let wo = 2.0 * cos_d * wh - wi;
@@ -68,13 +69,13 @@ pub fn reflectance(theta_i: f64, f_r: impl Fn(DVec3, DVec3) -> Option<Rgb>) -> R
     }
 }
 
-/// Nodes of φh to a degree.
+/// Quadrature nodes per degree of φh.
 const NODES_PER_DEGREE: f64 = 1.0;
 
-/// How far φh goes to either side of the plane of incidence before wo meets the horizon.
+/// Largest |φh| from the plane of incidence before wo meets the horizon, in radians.
 ///
 /// cos θo = 2 (wi·wh) cos θh − cos θi = 0 where cos φh = −cot θi cot 2θh.
-fn reach(theta_i: f64, theta_h: f64) -> f64 {
+fn max_phi_h(theta_i: f64, theta_h: f64) -> f64 {
     let (sin_2h, cos_2h) = (2.0 * theta_h).sin_cos();
     let (sin_i, cos_i) = theta_i.sin_cos();
     let (above, below) = (-cos_i * cos_2h, sin_i * sin_2h);
@@ -87,8 +88,8 @@ fn reach(theta_i: f64, theta_h: f64) -> f64 {
     }
 }
 
-/// Edges and centres of the bins of θh, where a lookup bends, and the two θh at which the horizon comes in and closes;
-/// all as √(θh / 90°).
+/// Panel breaks √(θh / 90°), ascending: edges and centres of the bins of θh, where a lookup bends, and the two θh at
+/// which the horizon comes in and closes.
 fn breaks(theta_i: f64) -> Vec<f64> {
     const HALF_BINS: usize = 2 * super::grid::THETA_H_BINS;
     let last = (0.5 * (FRAC_PI_2 + theta_i) / FRAC_PI_2).sqrt();

@@ -1,29 +1,29 @@
-//! The grid of the MERL files [Matusik03]: bins of θ_h (denser towards the highlight), θ_d and φ_d.
+//! Grid of the MERL files [Matusik03]: bins of θ_h (denser towards the highlight), θ_d and φ_d.
 
 use crate::geom::{HalfDiff, directions::wrap};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Bins of θ_h. Bin i covers 90°·[i², (i+1)²)/90².
+/// Number of θ_h bins. Bin i covers 90°·[i², (i+1)²)/90².
 pub const THETA_H_BINS: usize = 90;
-/// Bins of θ_d, one degree each.
+/// Number of θ_d bins, one degree each.
 pub const THETA_D_BINS: usize = 90;
-/// Bins of φ_d in the usual files: [0°, 180°), the rest by reciprocity.
+/// Number of φ_d bins in the usual files: [0°, 180°), the rest by reciprocity.
 pub const PHI_D_BINS_FOLDED: usize = 180;
-/// Bins of φ_d in files that keep the whole turn.
+/// Number of φ_d bins in files that cover the whole turn.
 pub const PHI_D_BINS_FULL: usize = 360;
 
-/// The shape of a table: how many bins of φ_d it has, one degree each.
+/// Shape of a table: 90 × 90 bins of θ_h and θ_d, and 180 or 360 bins of φ_d, one degree each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Grid {
     phi_d_bins: usize,
 }
 
 impl Grid {
-    /// φ_d in [0°, 180°).
+    /// Grid with φ_d in [0°, 180°).
     pub const FOLDED: Self = Self {
         phi_d_bins: PHI_D_BINS_FOLDED,
     };
-    /// φ_d in [0°, 360°).
+    /// Grid with φ_d in [0°, 360°).
     pub const FULL: Self = Self {
         phi_d_bins: PHI_D_BINS_FULL,
     };
@@ -38,25 +38,25 @@ impl Grid {
         THETA_H_BINS * THETA_D_BINS * self.phi_d_bins
     }
 
-    /// A grid always has cells.
+    /// Always false: a grid has cells.
     pub fn is_empty(self) -> bool {
         false
     }
 
-    /// Position of a cell in the file's order, φ_d fastest: φ_d + bins·(θ_d + 90 θ_h).
+    /// Index of a cell in the file's order, φ_d fastest: φ_d + bins·(θ_d + 90 θ_h).
     pub fn index(self, theta_h: usize, theta_d: usize, phi_d: usize) -> usize {
         debug_assert!(theta_h < THETA_H_BINS && theta_d < THETA_D_BINS && phi_d < self.phi_d_bins);
         phi_d + self.phi_d_bins * (theta_d + THETA_D_BINS * theta_h)
     }
 
-    /// The bins (θ_h, θ_d, φ_d) of a cell: the inverse of [`Grid::index`].
+    /// Bins (θ_h, θ_d, φ_d) of a cell: the inverse of [`Grid::index`].
     pub fn bins(self, index: usize) -> (usize, usize, usize) {
         let phi_d = index % self.phi_d_bins;
         let rest = index / self.phi_d_bins;
         (rest / THETA_D_BINS, rest % THETA_D_BINS, phi_d)
     }
 
-    /// The angles that the value of a cell belongs to: the centre of its bins.
+    /// Angles of a cell's value in radians: the centre of its bins, in √θ_h.
     pub fn center(self, theta_h: usize, theta_d: usize, phi_d: usize) -> HalfDiff {
         HalfDiff {
             theta_h: ((theta_h as f64 + 0.5) / THETA_H_BINS as f64).powi(2) * FRAC_PI_2,
@@ -65,7 +65,8 @@ impl Grid {
         }
     }
 
-    /// Angles in units of bins, such that bin i covers [i, i+1) on each axis; φ_d folded or wrapped to the grid.
+    /// Bin coordinates (θ_h, θ_d, φ_d), such that bin i covers [i, i+1) on each axis; φ_d folded or wrapped to the
+    /// grid.
     ///
     /// θ_h is in the square-root index. Angles past the last edge give values past 90.
     pub fn bin_coordinates(self, angles: HalfDiff) -> [f64; 3] {
@@ -77,7 +78,7 @@ impl Grid {
         ]
     }
 
-    /// The bins that hold these angles; the last bins hold 90° too.
+    /// Bins (θ_h, θ_d, φ_d) that hold these angles; the last bins hold 90° too.
     pub fn bins_of(self, angles: HalfDiff) -> (usize, usize, usize) {
         let [h, d, phi] = self.bin_coordinates(angles);
         (

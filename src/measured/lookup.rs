@@ -1,4 +1,4 @@
-//! The value of a table between its cells.
+//! Lookup of f_r in a table: nearest cell or trilinear.
 
 use super::grid::{THETA_D_BINS, THETA_H_BINS};
 use super::table::Table;
@@ -7,7 +7,7 @@ use crate::keys;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-/// How a value is taken from a table.
+/// Interpolation of values in a table.
 ///
 /// Both start from the bin coordinates (h, d, p) of [`crate::measured::Grid::bin_coordinates`]: h = 90 √(θ_h / 90°), d and p are
 /// θ_d and φ_d in degrees, φ_d wrapped to the grid (modulo 180° where it is folded, else 360°). Both have no value where
@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Lookup {
-    /// The number of the cell that holds the angles, as it was measured.
+    /// Value of the cell that holds the angles, as measured.
     #[default]
     Nearest,
     /// Trilinear between the centres of the eight cells around, which lowers sharp peaks a little.
@@ -27,24 +27,24 @@ pub enum Lookup {
     Smooth,
 }
 
-/// Both ways, in the order in which they are offered.
+/// All lookups, in the order in which they are offered.
 pub const LOOKUPS: [Lookup; 2] = [Lookup::Nearest, Lookup::Smooth];
 
 impl Lookup {
-    /// Name in files and on the command line.
+    /// Name in files and on the command line, e.g. "nearest".
     pub fn key(self) -> &'static str {
         keys::key_at::<Self>(self as usize)
     }
 
-    /// The way whose `key` this is.
+    /// The lookup with this `key`.
     pub fn by_key(key: &str) -> Option<Self> {
         keys::by_key(key)
     }
 }
 
 impl Table {
-    /// f_r of (wi, wo) in 1/sr. `None` where either is below the horizon, and where the cell that
-    /// holds the angles is invalid.
+    /// f_r of the unit vectors (wi, wo) in 1/sr, linear RGB. `None` where either is below the horizon, and where the
+    /// cell that holds the angles is invalid.
     pub fn lookup(&self, wi: DVec3, wo: DVec3, lookup: Lookup) -> Option<Rgb> {
         if wi.z < 0.0 || wo.z < 0.0 {
             return None;
@@ -52,8 +52,8 @@ impl Table {
         self.lookup_angles(HalfDiff::from_directions(wi, wo)?, lookup)
     }
 
-    /// The same from half and difference angles. The horizon is not looked at: cells that it cuts through are valid
-    /// as a whole or not at all.
+    /// f_r at half and difference angles in 1/sr; `None` where the cell that holds them is invalid. The horizon is not
+    /// looked at: cells that it cuts through are valid as a whole or not at all.
     pub fn lookup_angles(&self, angles: HalfDiff, lookup: Lookup) -> Option<Rgb> {
         let (h, d, phi) = self.grid().bins_of(angles);
         let nearest = self.cell(self.grid().index(h, d, phi))?;
@@ -63,7 +63,7 @@ impl Table {
         }
     }
 
-    /// [`Lookup::Smooth`] where the cell that holds the angles is valid.
+    /// f_r by [`Lookup::Smooth`] where the cell that holds the angles is valid.
     fn smooth(&self, angles: HalfDiff) -> Rgb {
         let grid = self.grid();
         let [h, d, phi] = grid.bin_coordinates(angles);
@@ -89,7 +89,7 @@ impl Table {
     }
 }
 
-/// The two bins whose centres are around a bin coordinate, with their weights; clamped at both ends.
+/// The two bins whose centres enclose a bin coordinate, with their weights; clamped at both ends.
 fn neighbors(coordinate: f64, bins: usize) -> [(usize, f64); 2] {
     let x = (coordinate - 0.5).clamp(0.0, (bins - 1) as f64);
     let bin = (x as usize).min(bins - 2);
@@ -97,7 +97,7 @@ fn neighbors(coordinate: f64, bins: usize) -> [(usize, f64); 2] {
     [(bin, 1.0 - t), (bin + 1, t)]
 }
 
-/// The same on a circle.
+/// The two bins whose centres enclose a bin coordinate on a circle, with their weights.
 fn neighbors_around(coordinate: f64, bins: usize) -> [(usize, f64); 2] {
     let x = coordinate - 0.5 + bins as f64;
     let t = x - x.floor();

@@ -1,4 +1,4 @@
-//! The layout of the MERL files [Matusik03], as a stream of bytes in and out.
+//! Reader and writer of the MERL file format [Matusik03], on streams of bytes.
 //!
 //! Three little-endian int32 (bins of θ_h, θ_d, φ_d: 90, 90, and 180 or 360), then the planes R, G, B of little-endian
 //! float64 in the order of [`Grid::index`]. f_r = stored × (1, 1.15, 1.66)/1500 in 1/sr.
@@ -8,77 +8,77 @@ use super::table::Table;
 use std::io::{self, ErrorKind, Read, Write};
 use std::ops::ControlFlow;
 
-/// f_r in 1/sr per stored unit, by channel.
+/// f_r in 1/sr per stored unit, by channel: (1, 1.15, 1.66)/1500.
 pub const SCALE: [f64; 3] = [1.0 / 1500.0, 1.15 / 1500.0, 1.66 / 1500.0];
 
-/// What a file holds in each channel of an invalid cell.
+/// Stored value in each channel of an invalid cell.
 const INVALID: f64 = -1.0;
 
 const HEADER_BYTES: usize = 12;
-/// Small enough to stay in the cache between reading and converting; a multiple of 8.
+/// Buffer size in bytes: small enough to stay in the cache between reading and converting; a multiple of 8.
 const CHUNK_BYTES: usize = 64 * 1024;
 
-/// Why bytes are no usable MERL file: one sentence, without the path, which the caller puts last.
+/// Error of bytes that are no usable MERL file: one sentence, without the path, which the caller puts last.
 #[derive(Debug, thiserror::Error)]
 pub enum MerlError {
-    /// No bytes at all.
+    /// The file has no bytes.
     #[error(
         "the file is empty; a MERL file has {} bytes",
         grouped(byte_count(Grid::FOLDED))
     )]
     Empty,
-    /// Something else under the name of a MERL file.
+    /// The file is of another kind; the text says which.
     #[error(
         "not a MERL file: {0}; expected a header with 90 × 90 × 180 bins and {bytes} bytes",
         bytes = grouped(byte_count(Grid::FOLDED))
     )]
     NotMerl(&'static str),
-    /// A header with another grid, or with no grid at all.
+    /// Header with other bins than 90 × 90 × 180 or 360, as found.
     #[error(
         "not a MERL file: its header says {} × {} × {} bins; expected 90 × 90 × 180 or 90 × 90 × 360",
         .0[0], .0[1], .0[2]
     )]
     WrongGrid([i32; 3]),
-    /// Fewer bytes than the header promises.
+    /// The file has fewer bytes than the header implies.
     #[error(
         "the file is truncated: it has {} bytes, expected {}; copy or download it again",
         grouped(*found), grouped(*expected)
     )]
     Truncated {
-        /// Bytes that are there.
+        /// Number of bytes in the file.
         found: u64,
-        /// Bytes that the header promises.
+        /// Number of bytes that the header implies.
         expected: u64,
     },
-    /// More bytes than the header promises.
+    /// The file has more bytes than the header implies.
     #[error(
         "the file is too long: it has {} bytes, expected {}; copy or download it again",
         grouped(*found), grouped(*expected)
     )]
     TooLong {
-        /// Bytes that are there, as far as looked at.
+        /// Number of bytes in the file, as far as read.
         found: u64,
-        /// Bytes that the header promises.
+        /// Number of bytes that the header implies.
         expected: u64,
     },
-    /// Every cell is negative or not finite in some channel.
+    /// Every cell is negative or not finite in some channel; the number of cells.
     #[error("nothing was measured: all {} cells are invalid; expected some that are not", grouped(*.0 as u64))]
     AllInvalid(usize),
-    /// The bytes could not be read.
+    /// Error of the reader.
     #[error("reading failed: {0}")]
     Io(#[from] io::Error),
-    /// `progress` said stop.
+    /// `progress` stopped the reading.
     #[error("reading was cancelled")]
     Cancelled,
 }
 
-/// Reads a table of `len` bytes. `progress` is told the share read, in [0, 1], about a thousand times, and may stop it.
+/// Reads a table of `len` bytes. `progress` gets the share read, in [0, 1], about a thousand times, and may stop it.
 ///
 /// The header and `len` are checked before any data are read or memory is taken. A cell with a negative or
 /// non-finite channel becomes invalid, also where the number is too large for f32.
 ///
 /// # Errors
-/// All of [`MerlError`]; a reader that ends before `len` is truncated, one that goes on after it too long.
+/// Each of [`MerlError`]; a reader that ends before `len` is truncated, one that goes on after it too long.
 pub fn read(
     mut reader: impl Read,
     len: u64,
@@ -127,10 +127,10 @@ pub fn read(
     Ok(table)
 }
 
-/// Writes a table in the layout; an invalid cell is −1 in each channel. Reading it again gives the same table.
+/// Writes a table in the MERL format; an invalid cell is −1 in each channel. Reading it again gives the same table.
 ///
 /// # Errors
-/// What the writer says.
+/// Errors of the writer.
 pub fn write(table: &Table, mut writer: impl Write) -> io::Result<()> {
     for bins in [THETA_H_BINS, THETA_D_BINS, table.grid().phi_d_bins()] {
         writer.write_all(&(bins as i32).to_le_bytes())?;
@@ -150,23 +150,22 @@ pub fn write(table: &Table, mut writer: impl Write) -> io::Result<()> {
     writer.flush()
 }
 
-/// Length of a file with this grid.
+/// Size in bytes of a file with this grid.
 pub fn byte_count(grid: Grid) -> u64 {
     (HEADER_BYTES + 3 * 8 * grid.len()) as u64
 }
 
-/// Reads the three dimensions and holds them and the length against what there may be: all that can be said without
-/// the data.
+/// Reads the header and checks its three dimensions and the file length: all that can be checked without the data.
 ///
 /// # Errors
-/// As [`read`], less what only the data show.
+/// Errors of [`read`], less those that only the data show.
 pub fn read_header(reader: &mut impl Read, len: u64) -> Result<Grid, MerlError> {
     let mut header = [0; HEADER_BYTES];
     let found = read_fully(reader, &mut header)?;
     if found == 0 {
         return Err(MerlError::Empty);
     }
-    if let Some(what) = other_content(&header[..found]) {
+    if let Some(what) = known_format(&header[..found]) {
         return Err(MerlError::NotMerl(what));
     }
     if found < HEADER_BYTES {
@@ -195,8 +194,8 @@ pub fn read_header(reader: &mut impl Read, len: u64) -> Result<Grid, MerlError> 
     }
 }
 
-/// What a file that starts like this is, where it is a usual one and no MERL file.
-fn other_content(start: &[u8]) -> Option<&'static str> {
+/// Description of a usual file format that starts with these bytes; `None` for bytes that may be a MERL header.
+fn known_format(start: &[u8]) -> Option<&'static str> {
     const KNOWN: [(&[u8], &str); 8] = [
         (b"\x89PNG", "it is a PNG image"),
         (b"\xff\xd8\xff", "it is a JPEG image"),
@@ -215,7 +214,7 @@ fn other_content(start: &[u8]) -> Option<&'static str> {
     known.or_else(|| text().then_some("it is a text"))
 }
 
-/// Fills the buffer as far as the reader goes; returns how far that is.
+/// Fills the buffer as far as the reader goes; returns the number of bytes read.
 fn read_fully(reader: &mut impl Read, buffer: &mut [u8]) -> io::Result<usize> {
     let mut filled = 0;
     while filled < buffer.len() {
@@ -229,7 +228,7 @@ fn read_fully(reader: &mut impl Read, buffer: &mut [u8]) -> io::Result<usize> {
     Ok(filled)
 }
 
-/// A whole number with commas between its thousands.
+/// Decimal digits of a whole number with commas between thousands.
 fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::new();

@@ -14,7 +14,7 @@ mod tabulate;
 
 pub use grid::Grid;
 pub use lookup::Lookup;
-pub use samples::{SAMPLES, Sample};
+pub use samples::{SAMPLES, SyntheticMaterial};
 pub use stats::ChannelStats;
 pub use table::Table;
 pub use tabulate::tabulate;

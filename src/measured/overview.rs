@@ -1,25 +1,25 @@
-//! A table in a few numbers: how wide its highlight is, and its colour.
+//! Summary of a table: width of its highlight, mean reflectance.
 
 use super::grid::{THETA_D_BINS, THETA_H_BINS};
 use super::table::Table;
 use crate::geom::Rgb;
 use crate::geom::color::luminance;
 
-/// Bins of θ_d over which the highlight is averaged: below 5° a gonioreflectometer stands in its own light, and up to
+/// Bins of θ_d over which the highlight is averaged: below 5° a gonioreflectometer obstructs its own light, and up to
 /// 45° the Fresnel factor hardly changes.
 const NEAR_NORMAL: std::ops::Range<usize> = 5..45;
-/// Up to this bin of θ_h, at 45°, every pair with such a θ_d is above the horizon.
-const FOOT: usize = 63;
-/// A highlight is at least this many times as bright as what is around it.
+/// Last bin of θ_h of the profile, at 45°: every pair with such a θ_d is above the horizon.
+const LAST_PROFILE_BIN: usize = 63;
+/// Smallest ratio of the peak's luminance to the least one for a highlight.
 const CONTRAST: f64 = 1.5;
-/// Every how many bins of θ_d and φ_d a cell is looked at for the colour.
+/// Steps in bins of θ_d and φ_d between the cells that are sampled for the mean reflectance.
 const STRIDE: (usize, usize) = (5, 15);
 
 impl Table {
-    /// Half the width of the highlight at half its height, in radians of θ_h: the mean luminance over φ_d and over θ_d
-    /// from 5° to 45°, above its least value up to 45°. `None` where nothing stands out.
+    /// Half width at half maximum of the highlight in radians of θ_h: of the mean luminance over φ_d and over θ_d from
+    /// 5° to 45°, above its least value up to 45°. `None` where no peak is 1.5 times as bright as that.
     pub fn highlight_half_width(&self) -> Option<f64> {
-        let profile: Vec<(f64, f64)> = (0..=FOOT)
+        let profile: Vec<(f64, f64)> = (0..=LAST_PROFILE_BIN)
             .filter_map(|h| {
                 let theta_h = self.grid().center(h, 0, 0).theta_h;
                 Some((theta_h, self.mean_luminance(h)?))
@@ -29,17 +29,17 @@ impl Table {
             .iter()
             .enumerate()
             .max_by(|(_, a), (_, b)| a.1.total_cmp(&b.1))?;
-        let foot = profile.iter().map(|row| row.1).fold(peak, f64::min);
-        if peak < CONTRAST * foot || peak <= 0.0 {
+        let base = profile.iter().map(|row| row.1).fold(peak, f64::min);
+        if peak < CONTRAST * base || peak <= 0.0 {
             return None;
         }
-        let half = 0.5 * (peak + foot);
+        let half = 0.5 * (peak + base);
         let pair = profile[top..].windows(2).find(|pair| pair[1].1 <= half)?;
         let [(from, above), (to, below)] = [pair[0], pair[1]];
         Some(from + (to - from) * (above - half) / (above - below))
     }
 
-    /// Mean luminance of a θ_h bin in 1/sr; `None` where no cell is valid.
+    /// Mean luminance of a θ_h bin over [`NEAR_NORMAL`] in 1/sr; `None` where no cell is valid.
     fn mean_luminance(&self, h: usize) -> Option<f64> {
         let grid = self.grid();
         let (mut sum, mut count) = (0.0, 0);
@@ -54,8 +54,8 @@ impl Table {
         (count > 0).then(|| sum / f64::from(count))
     }
 
-    /// The share of light from all around that is reflected, as linear RGB, from a sample of the valid cells: the
-    /// colour of the material under an even sky.
+    /// Share of uniform light from the whole hemisphere that is reflected, linear RGB, from a sample of the valid
+    /// cells; 0 where none is valid.
     pub fn mean_reflectance(&self) -> Rgb {
         let grid = self.grid();
         let (mut sum, mut weights) = ([0.0; 3], 0.0);
@@ -97,7 +97,7 @@ mod tests {
     use super::*;
     use crate::measured::Grid;
 
-    /// A Blinn-Phong lobe over a diffuse base.
+    /// Table of a Blinn-Phong lobe over a diffuse base.
     fn table(exponent: f64) -> Table {
         let grid = Grid::FOLDED;
         let cells = (0..grid.len()).map(|index| {

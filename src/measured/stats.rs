@@ -1,20 +1,20 @@
-//! Numbers about a table as a whole.
+//! Statistics of a whole table.
 
 use super::table::Table;
 
-/// The spread of f_r in one channel over the valid cells, in 1/sr. NaN where no cell is valid.
+/// Minimum, median and maximum of f_r in one channel over the valid cells, in 1/sr. NaN where no cell is valid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChannelStats {
-    /// Smallest.
+    /// Smallest value.
     pub min: f64,
-    /// Middle; the mean of the two middle ones of an even number.
+    /// Median; the mean of the two middle values of an even number.
     pub median: f64,
-    /// Largest.
+    /// Largest value.
     pub max: f64,
 }
 
 impl Table {
-    /// The spread of red, green and blue.
+    /// Statistics of red, green and blue.
     pub fn channel_stats(&self) -> [ChannelStats; 3] {
         std::array::from_fn(|channel| {
             let values = self.cells().iter().map(|cell| cell[channel]);

@@ -8,13 +8,14 @@ use std::sync::{Arc, LazyLock};
 #[derive(Clone, Debug)]
 pub struct Table {
     grid: Grid,
-    /// f_r in 1/sr per cell, in the grid's order; NaN in all channels where invalid, so that nothing can take it for 0.
+    /// f_r in 1/sr per cell, in the grid's order; NaN in all channels of an invalid cell, so that none reads as 0.
     cells: Vec<[f32; 3]>,
     valid: usize,
 }
 
 impl Table {
-    /// A table from f_r per cell in the grid's order. A cell with a negative or non-finite channel becomes invalid.
+    /// Table from f_r in 1/sr per cell in the grid's order. A cell with a negative or non-finite channel becomes
+    /// invalid.
     ///
     /// # Panics
     /// If the number of cells is not the grid's.
@@ -38,7 +39,7 @@ impl Table {
         Self { grid, cells, valid }
     }
 
-    /// A table where nothing was measured, for a model without data. All share one.
+    /// Table whose cells are all invalid, for a model without data. It is made once and shared.
     pub fn unmeasured() -> Arc<Self> {
         static UNMEASURED: LazyLock<Arc<Table>> = LazyLock::new(|| {
             let grid = Grid::FOLDED;
@@ -47,7 +48,7 @@ impl Table {
         Arc::clone(&UNMEASURED)
     }
 
-    /// Its shape.
+    /// Grid of the table.
     pub fn grid(&self) -> Grid {
         self.grid
     }
@@ -57,13 +58,13 @@ impl Table {
         self.valid
     }
 
-    /// f_r of a cell in 1/sr; `None` where it is invalid.
+    /// f_r of a cell in 1/sr, linear RGB; `None` where it is invalid.
     pub fn cell(&self, index: usize) -> Option<Rgb> {
         let cell = self.cells[index];
         (!cell[0].is_nan()).then(|| cell.map(f64::from))
     }
 
-    /// All cells in the grid's order; NaN where invalid.
+    /// f_r of all cells in 1/sr, in the grid's order; NaN where invalid.
     pub fn cells(&self) -> &[[f32; 3]] {
         &self.cells
     }

@@ -1,11 +1,11 @@
-//! A model as a table: what a measurement of it would be, without noise.
+//! Tabulation of a model on the grid: a noiseless measurement.
 
 use super::grid::Grid;
 use super::table::Table;
 use crate::brdf::Brdf;
 use rayon::prelude::*;
 
-/// f_r of the model at the centre of every cell; cells whose centre is below the horizon are invalid.
+/// Table of a model's f_r at the centre of every cell; cells whose centre is below the horizon are invalid.
 pub fn tabulate(brdf: &Brdf, grid: Grid) -> Table {
     let cells = (0..grid.len()).into_par_iter().map(|index| {
         let (theta_h, theta_d, phi_d) = grid.bins(index);
@@ -41,7 +41,7 @@ mod tests {
         }
     }
 
-    /// The table of a MERL file's bytes, and the bytes.
+    /// Bytes of the table as a MERL file, and the table read back from them.
     fn written_and_read(table: &Table) -> (Vec<u8>, Table) {
         let mut bytes = Vec::new();
         merl::write(table, &mut bytes).expect("memory takes it");
@@ -51,7 +51,7 @@ mod tests {
         (bytes, read.expect("a MERL file"))
     }
 
-    /// The largest distance from f_r at the centres in units of the f32 step; `None` where validity differs.
+    /// Largest relative distance from f_r at the centres in units of the f32 step; `None` where validity differs.
     fn worst_distance(table: &Table, brdf: &Brdf) -> Option<f64> {
         let grid = table.grid();
         let mut worst: f64 = 0.0;

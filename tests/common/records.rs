@@ -3,7 +3,7 @@
 use super::merl::merl_file;
 use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
 use grazing::files::fits::{FitRecord, SourceFile, write_json};
-use grazing::fit::{Ended, Errors, Options, Weight};
+use grazing::fit::{EndReason, Errors, FitOptions, Weight};
 use std::path::Path;
 use std::sync::LazyLock;
 
@@ -28,7 +28,7 @@ pub fn record(material: &str, source: Option<SourceFile>, brdf: Brdf, error: f64
         version: "0".into(),
         weight: Weight::Cosine,
         limit_deg: 90.0,
-        options: Options::default(),
+        options: FitOptions::default(),
         brdf,
         errors: Errors {
             total: error,
@@ -38,7 +38,7 @@ pub fn record(material: &str, source: Option<SourceFile>, brdf: Brdf, error: f64
         stages: Vec::new(),
         albedo: [[0.5; 3]; 3],
         evaluations: 1,
-        ended: Ended::Converged,
+        ended: EndReason::Converged,
         concerns: Vec::new(),
     }
 }

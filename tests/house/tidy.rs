@@ -369,3 +369,74 @@ fn a_planted_arrow_between_rooms_is_caught() {
         "#[cfg(test)]\nmod tests {\nuse crate::app::panels::x;"
     ));
 }
+
+/// Folders of `src` in which a doc comment begins with what the thing is.
+const DOCUMENTED: [&str; 6] = ["geom", "brdf", "measured", "fit", "gpu", "files"];
+
+/// First words of a doc comment that say what a thing is only to one who knows it already.
+const VAGUE: [&str; 4] = ["What", "Its", "The same", "All of them"];
+
+/// The doc comments of a file that begin with a word of [`VAGUE`], one line each.
+fn vague_comments(path: &str, text: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut begins = true;
+    for (number, line) in text.lines().enumerate() {
+        let line = line.trim_start();
+        let comment = line.strip_prefix("///").or(line.strip_prefix("//!"));
+        // A paragraph of its own begins anew.
+        let Some(comment) = comment.map(str::trim).filter(|comment| !comment.is_empty()) else {
+            begins = true;
+            continue;
+        };
+        let vague = VAGUE.into_iter().find(|words| {
+            let rest = comment.strip_prefix(words);
+            rest.is_some_and(|rest| !rest.starts_with(char::is_alphanumeric))
+        });
+        if let Some(words) = vague.filter(|_| begins) {
+            found.push(format!(
+                "{path}:{}: \"{words}\": begin with what it is",
+                number + 1
+            ));
+        }
+        begins = false;
+    }
+    found
+}
+
+#[test]
+fn doc_comments_begin_with_what_a_thing_is() {
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut all = Vec::new();
+    for module in DOCUMENTED {
+        let mut files = Vec::new();
+        rust_files(&src.join(module), &mut files);
+        assert!(!files.is_empty(), "{module} has no files");
+        for path in files {
+            let text = fs::read_to_string(&path).expect("a source file");
+            all.extend(vague_comments(&path.display().to_string(), &text));
+        }
+    }
+    assert!(all.is_empty(), "\n{}", all.join("\n"));
+}
+
+#[test]
+fn a_planted_vague_comment_is_caught() {
+    let caught = |text: &str| !vague_comments("planted.rs", text).is_empty();
+    assert!(caught("    /// What was measured.\n    pub table: Table,"));
+    assert!(caught("/// Its name on screen.\nfn name() {}"));
+    assert!(caught("/// The same, to be written.\nfn get_mut() {}"));
+    assert!(caught(
+        "/// A model.\n///\n/// All of them have a row.\nstruct Model;"
+    ));
+    assert!(caught("//! What a fit is asked."));
+    assert!(!caught(
+        "    /// Measured f_r, 1/sr.\n    pub table: Table,"
+    ));
+    assert!(!caught(
+        "/// Lobe that is 1 at the peak.\n/// What is left is 0.\nfn lobe() {}"
+    ));
+    assert!(!caught("// What follows is rounding.\nlet x = 1;"));
+    assert!(!caught(
+        "/// Whatever the angle, a value in [0, 1].\nfn value() {}"
+    ));
+}

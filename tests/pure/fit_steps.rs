@@ -11,7 +11,9 @@ use grazing::app::state::material::{MaterialId, Origin};
 use grazing::app::views::lobes::settings::LobeSettings;
 use grazing::brdf::{Brdf, Fresnel, ParamId};
 use grazing::figure::scale::RadialScale;
-use grazing::fit::{Ended, Errors, Outcome, ProblemError, Progress, Stage, Variant, Weight};
+use grazing::fit::{
+    EndReason, Errors, FitProgress, Outcome, ProblemError, Stage, StageSet, Variant, Weight,
+};
 use grazing::measured::{Grid, Table};
 
 /// A state with `count` grey materials, the last of them shown.
@@ -62,7 +64,7 @@ fn job(tasks: &[Task]) -> u64 {
 }
 
 fn say(state: &mut State, job: u64, position: usize, brdf: Brdf) {
-    let progress = Progress {
+    let progress = FitProgress {
         stage: Stage::Joint,
         brdf,
         error: 0.2,
@@ -77,7 +79,7 @@ fn say(state: &mut State, job: u64, position: usize, brdf: Brdf) {
     );
 }
 
-fn outcome(brdf: Brdf, error: f64, ended: Ended) -> Timed {
+fn outcome(brdf: Brdf, error: f64, ended: EndReason) -> Timed {
     Timed {
         outcome: Outcome {
             brdf,
@@ -124,7 +126,11 @@ fn a_fit_is_one_step_whatever_is_edited_meanwhile() {
     run(&mut state, Command::UseScale(RadialScale::Log));
     apply(&mut state, Msg::Settle);
     let best = with_s(&state, 9.0);
-    done(&mut state, job, vec![outcome(best, 0.1, Ended::Converged)]);
+    done(
+        &mut state,
+        job,
+        vec![outcome(best, 0.1, EndReason::Converged)],
+    );
     assert!(state.fit.run.is_none());
     assert_eq!((shown(&state), fits(&state)), (best, 1));
     run(&mut state, Command::Undo);
@@ -160,14 +166,14 @@ fn what_a_replaced_fit_says_is_not_heard() {
     done(
         &mut state,
         first,
-        vec![outcome(late, 0.1, Ended::Cancelled)],
+        vec![outcome(late, 0.1, EndReason::Cancelled)],
     );
     assert_eq!((shown(&state), fits(&state)), (of_first, 0));
     let best = with_s(&state, 5.0);
     done(
         &mut state,
         second,
-        vec![outcome(best, 0.1, Ended::Converged)],
+        vec![outcome(best, 0.1, EndReason::Converged)],
     );
     assert_eq!((shown(&state), fits(&state)), (best, 1));
 }
@@ -186,7 +192,11 @@ fn cancelling_keeps_the_best_at_once_and_undo_takes_it_back() {
     assert_eq!(state.scene.opened[0].brdf, best);
     // The outcome may know a little more.
     let last = with_s(&state, 7.01);
-    done(&mut state, job, vec![outcome(last, 0.1, Ended::Cancelled)]);
+    done(
+        &mut state,
+        job,
+        vec![outcome(last, 0.1, EndReason::Cancelled)],
+    );
     assert_eq!((shown(&state), fits(&state)), (last, 1));
     run(&mut state, Command::Undo);
     assert_eq!(shown(&state), before);
@@ -200,7 +210,11 @@ fn a_fit_that_is_stopped_before_its_first_word_leaves_nothing() {
     let job = job(&run(&mut state, Command::Fit));
     run(&mut state, Command::CancelFit);
     let guess = with_s(&state, 7.0);
-    done(&mut state, job, vec![outcome(guess, 0.5, Ended::Cancelled)]);
+    done(
+        &mut state,
+        job,
+        vec![outcome(guess, 0.5, EndReason::Cancelled)],
+    );
     assert_eq!((shown(&state), fits(&state)), (before, 0));
     assert!(!state.history.can_undo());
 }
@@ -225,7 +239,11 @@ fn a_slider_takes_over_from_the_fit() {
         (shown(&state).params.s, shown(&state).params.alpha),
         (20.0, 0.25)
     );
-    done(&mut state, job, vec![outcome(best, 0.1, Ended::Cancelled)]);
+    done(
+        &mut state,
+        job,
+        vec![outcome(best, 0.1, EndReason::Cancelled)],
+    );
     assert_eq!(shown(&state).params.s, 20.0, "the slider has the last word");
     run(&mut state, Command::Undo);
     assert_eq!(shown(&state), best);
@@ -242,7 +260,11 @@ fn a_fit_goes_on_for_its_own_material() {
     assert_eq!(shown(&state), other, "another material is shown");
     set(&mut state, ParamId::S, 99.0);
     assert!(state.fit.run.as_ref().is_some_and(|run| !run.stopping));
-    done(&mut state, job, vec![outcome(best, 0.1, Ended::Converged)]);
+    done(
+        &mut state,
+        job,
+        vec![outcome(best, 0.1, EndReason::Converged)],
+    );
     assert_eq!(shown(&state).params.s, 99.0);
     assert_eq!(state.materials[&own].fits.len(), 1);
     assert_eq!(state.scene.opened[1].brdf, best);
@@ -264,7 +286,7 @@ fn closing_the_material_ends_its_fit() {
     done(
         &mut state,
         number,
-        vec![outcome(best, 0.1, Ended::Cancelled)],
+        vec![outcome(best, 0.1, EndReason::Cancelled)],
     );
     apply(&mut state, Msg::Settle);
     run(&mut state, Command::Undo);
@@ -293,7 +315,7 @@ fn several_variants_leave_the_model_alone() {
     assert!(state.fit.run.as_ref().is_some_and(|run| !run.stopping));
     let outcomes = brdfs
         .iter()
-        .map(|brdf| outcome(*brdf, 0.1, Ended::Converged));
+        .map(|brdf| outcome(*brdf, 0.1, EndReason::Converged));
     done(&mut state, number, outcomes.collect());
     assert_eq!((shown(&state).params.s, fits(&state)), (20.0, 6));
     apply(&mut state, Msg::Settle);
@@ -317,22 +339,22 @@ fn six_without_fresnel_are_those_with_the_exact_one() {
 #[test]
 fn a_cancelled_fit_does_not_replace_one_that_was_asked_the_same() {
     let mut state = state(1);
-    let fit = |state: &mut State, error: f64, ended: Ended| {
+    let fit = |state: &mut State, error: f64, ended: EndReason| {
         let number = job(&run(state, Command::Fit));
         let brdf = with_s(state, 7.0);
         say(state, number, 0, brdf);
-        if ended == Ended::Cancelled {
+        if ended == EndReason::Cancelled {
             run(state, Command::CancelFit);
         }
         done(state, number, vec![outcome(brdf, error, ended)]);
         state.current_fit().expect("a fit").outcome.errors.total
     };
-    assert_eq!(fit(&mut state, 0.1, Ended::Converged), 0.1);
-    assert_eq!(fit(&mut state, 0.3, Ended::Cancelled), 0.1);
+    assert_eq!(fit(&mut state, 0.1, EndReason::Converged), 0.1);
+    assert_eq!(fit(&mut state, 0.3, EndReason::Cancelled), 0.1);
     assert!(!state.is_stale(state.current_fit().expect("a fit")));
     run(&mut state, Command::UseWeight(Weight::Cells));
     assert!(state.is_stale(state.current_fit().expect("a fit")));
-    assert_eq!(fit(&mut state, 0.3, Ended::Cancelled), 0.3);
+    assert_eq!(fit(&mut state, 0.3, EndReason::Cancelled), 0.3);
     assert!(!state.is_stale(state.current_fit().expect("a fit")));
 }
 
@@ -420,7 +442,7 @@ fn best_amplitudes_follow_the_model_and_what_cannot_be_had_says_so() {
 #[test]
 fn an_unfinished_setup_cannot_be_fitted() {
     let mut state = state(1);
-    let stages = [false; 4];
+    let stages = StageSet::NONE;
     let settings = Settings {
         stages,
         ..Settings::default()

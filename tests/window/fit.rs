@@ -12,7 +12,7 @@ use grazing::app::state::fitting::kept::variant_name;
 use grazing::app::state::fitting::settings::Settings;
 use grazing::brdf::{Brdf, Fresnel, MODELS, ParamId};
 use grazing::fit::options::NO_LIMIT;
-use grazing::fit::{self, Ended, Options, Outcome, Problem, STAGES, Stage, Variant, Weight};
+use grazing::fit::{self, EndReason, FitOptions, Outcome, Problem, STAGES, Stage, Variant, Weight};
 use grazing::measured::samples::SAMPLES;
 use std::ops::ControlFlow;
 
@@ -30,10 +30,10 @@ fn only(window: &mut Window, stages: &[Stage]) {
     window.run_steps(2);
 }
 
-fn options(stages: &[Stage]) -> Options {
-    Options {
-        stages: STAGES.map(|stage| stages.contains(&stage)),
-        ..Options::default()
+fn options(stages: &[Stage]) -> FitOptions {
+    FitOptions {
+        stages: stages.iter().copied().collect(),
+        ..FitOptions::default()
     }
 }
 
@@ -120,7 +120,7 @@ fn escape_stops_a_fit_and_keeps_its_best() {
         let ended = kept.outcome.ended;
         press(&mut window, Modifiers::COMMAND, Key::Z);
         assert_eq!(shown(window.state().state()), before);
-        if ended == Ended::Cancelled {
+        if ended == EndReason::Cancelled {
             return;
         }
     }
@@ -137,7 +137,7 @@ fn a_dialog_has_escape_before_the_fit() {
     assert_eq!(window.state().state().dialog, None);
     settle(&mut window, |state| state.fit.run.is_none());
     let kept = window.state().state().current_fit().expect("a fit");
-    assert_eq!(kept.outcome.ended, Ended::Converged);
+    assert_eq!(kept.outcome.ended, EndReason::Converged);
 }
 
 #[test]

@@ -21,6 +21,7 @@ use grazing::brdf::Fresnel;
 use grazing::figure::palette::Role as ColorRole;
 use grazing::figure::scatter::{ScatterDot, ScatterPlot};
 use grazing::files::fits::FitRecord;
+use grazing::fit::{Stage, StageSet};
 use std::fs;
 use std::path::PathBuf;
 
@@ -325,7 +326,7 @@ fn diffuse_only(window: &mut Window) {
     run(window, Command::UseModel(0));
     run(window, Command::UseFresnel(Fresnel::None));
     let settings = Settings {
-        stages: [true, false, false, false],
+        stages: StageSet::from_iter([Stage::Amplitudes]),
         ..Settings::default()
     };
     let ctx = window.ctx.clone();

@@ -6,7 +6,7 @@ use crate::app::msg::work::{SendMsg, Work};
 use crate::app::state::fitting::run::FitUpdates;
 use crate::app::state::fitting::settings::Setup;
 use crate::fit;
-use crate::fit::{Problem, ProblemError, Progress, Weight};
+use crate::fit::{FitProgress, Problem, ProblemError, Weight};
 use crate::measured::Table;
 use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex, PoisonError, Weak};
@@ -60,7 +60,7 @@ fn run(task: &FitTask, problems: &Problems, send: &SendMsg) -> Result<Vec<Timed>
     let problem = problem.map_err(|error| error.to_string())?;
     let mut clock = Clock::start(task.variants.len());
     let mut reporter = Reporter::new(task.job, send);
-    let mut watch = |position: usize, progress: &Progress| {
+    let mut watch = |position: usize, progress: &FitProgress| {
         clock.tick(position);
         if task.cancel.is_set() {
             return ControlFlow::Break(());
@@ -100,7 +100,7 @@ impl<'a> Reporter<'a> {
         }
     }
 
-    fn report(&mut self, position: usize, progress: &Progress) {
+    fn report(&mut self, position: usize, progress: &FitProgress) {
         self.updates.updates.push((position, *progress));
         if self.last.elapsed() >= BETWEEN_UPDATES {
             self.flush();

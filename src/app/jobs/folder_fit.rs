@@ -7,7 +7,7 @@ use crate::app::msg::work::{SendMsg, Work};
 use crate::app::state::fitting::settings::Setup;
 use crate::files::FileError;
 use crate::files::fits::FitRecord;
-use crate::fit::{Problem, Progress};
+use crate::fit::{FitProgress, Problem};
 use crate::{files, fit};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -76,7 +76,7 @@ impl FolderFit {
             options,
         } = self.setup;
         let mut told = Instant::now();
-        let mut watch = |position: usize, progress: &Progress| {
+        let mut watch = |position: usize, progress: &FitProgress| {
             if told.elapsed() >= BETWEEN_UPDATES {
                 told = Instant::now();
                 let share = (position as f32 + progress.share) / self.variants.len().max(1) as f32;

@@ -107,7 +107,11 @@ enum Content {
 }
 
 /// `measured`: a fit file names it as its data. A fit file that names itself must not be read for ever.
-fn open_file(path: &Path, measured: bool, progress: files::Progress) -> Result<Content, FileError> {
+fn open_file(
+    path: &Path,
+    measured: bool,
+    progress: files::OnProgress,
+) -> Result<Content, FileError> {
     if !measured && path.is_dir() {
         return Ok(Content::Folder);
     }

@@ -75,7 +75,7 @@ impl Scanner {
                     return Vec::new();
                 }
                 let content = folder::inspect(file);
-                if matches!(content, Ok(folder::Content::Measured)) {
+                if matches!(content, Ok(folder::FileContent::Measured)) {
                     measured.push(index);
                 }
                 seen.push((index, content.map_err(|error| error.reason())));

@@ -13,6 +13,7 @@ use crate::app::state::views::ViewId;
 use crate::app::views::sphere::settings::Show;
 use crate::brdf::{Fresnel, ParamId};
 use crate::figure::RadialScale;
+use crate::fit::StageSet;
 
 /// A lesson.
 #[derive(Debug)]
@@ -60,7 +61,7 @@ pub enum Set {
     /// Bring a tile to the front.
     Tile(ViewId),
     /// Which stages the next fit runs, and whether it begins at the sliders.
-    Stages([bool; 4], bool),
+    Stages(StageSet, bool),
 }
 
 /// What a step frames.

@@ -8,6 +8,7 @@ use crate::app::views::sphere::settings::Show;
 use crate::brdf::{Fresnel, ParamId};
 use crate::figure::RadialScale;
 use crate::figure::shown::Shown;
+use crate::fit::StageSet;
 
 /// All lessons in the order of the menu.
 pub const LESSONS: [Lesson; 4] = [
@@ -206,20 +207,26 @@ pub const LESSONS: [Lesson; 4] = [
             Step {
                 text: "Only stage 1 is ticked, and it begins at the sliders. Press Fit: for a given s, α and η the best \
                        ρ_{d} and k_{s} are found exactly. With an s this poor there is not much to win.",
-                set: &[Set::Stages([true, false, false, false], true)],
+                set: &[Set::Stages(
+                    StageSet {
+                        amplitudes: true,
+                        ..StageSet::NONE
+                    },
+                    true,
+                )],
                 look_at: LookAt::Fit,
             },
             Step {
                 text: "Now stages 1 to 3, as on the poster: ρ_{d} and k_{s}, then s, α and η, then these with k_{s}. Press \
                        Fit and watch E fall in the trace. Each stage keeps what it does not move, so ρ_{d} is still that \
                        of the poor start.",
-                set: &[Set::Stages([true, true, true, false], true)],
+                set: &[Set::Stages(StageSet::POSTER, true)],
                 look_at: LookAt::Fit,
             },
             Step {
                 text: "With stage 4 all parameters move together, and the fit begins at several places that the data \
                        suggest. Press Fit: E falls once more, and no start is poor any longer.",
-                set: &[Set::Stages([true; 4], false)],
+                set: &[Set::Stages(StageSet::ALL, false)],
                 look_at: LookAt::Fit,
             },
         ],

@@ -5,7 +5,7 @@ use crate::app::state::job::{CancelFlag, Hold};
 use crate::app::state::library::Examined;
 use crate::app::state::library::listing::Sort;
 use crate::files::fits::FitRecord;
-use crate::files::folder::Content;
+use crate::files::folder::FileContent;
 use crate::fit::Variant;
 use std::path::PathBuf;
 
@@ -25,7 +25,7 @@ pub enum LibraryMsg {
     /// What files are, by position.
     Seen {
         number: u64,
-        seen: Vec<(usize, Result<Content, String>)>,
+        seen: Vec<(usize, Result<FileContent, String>)>,
     },
     /// What is in a file, by position.
     Examined {

@@ -125,7 +125,8 @@ fn free_ui(ui: &mut egui::Ui, settings: &mut Settings, brdf: &Brdf) -> bool {
         ui.label("Free")
             .on_hover_text("What the fit may move. The rest keeps the value of its slider.");
         ui.spacing_mut().item_spacing.x = 10.0;
-        for (row, held) in ALL.iter().zip(&mut settings.held) {
+        for row in &ALL {
+            let held = &mut settings.held[row.id];
             ui.add_enabled_ui(brdf.uses(row.id), |ui| {
                 let mut free = !*held;
                 let tick = tick_ui(ui, &mut free, row.symbol, &format!("{} free", row.key))
@@ -172,11 +173,11 @@ fn more_ui(ui: &mut egui::Ui, settings: &mut Settings, brdf: &Brdf) {
                 ui.weak("least");
                 ui.weak("most");
                 ui.end_row();
-                for (index, row) in ALL.iter().enumerate() {
+                for row in &ALL {
                     if !row.id.is_color() {
                         // The model's own row where it has one: ranges differ.
                         let row = brdf.model.param(row.id).unwrap_or(row);
-                        bounds_ui(ui, row, &mut settings.bounds[index]);
+                        bounds_ui(ui, row, &mut settings.bounds[row.id]);
                         ui.end_row();
                     }
                 }

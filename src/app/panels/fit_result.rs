@@ -12,7 +12,7 @@ use crate::figure::palette::Palette;
 use crate::figure::text::RichText;
 use crate::figure::trace;
 use crate::figure::trace::{TracePoint, TraceSpec};
-use crate::fit::{Progress, Variant};
+use crate::fit::{FitProgress, Variant};
 use egui::{Align, Layout, Sense, vec2};
 
 /// Least height of the trace in points.
@@ -27,7 +27,7 @@ pub fn shown_part(state: &State) -> Option<(&Run, &Part)> {
 /// The result in words, and the trace in what room is left.
 pub fn result_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     ui.add_space(2.0);
-    let (updates, empty): (&[Progress], &str) = match (shown_part(state), state.current_fit()) {
+    let (updates, empty): (&[FitProgress], &str) = match (shown_part(state), state.current_fit()) {
         (Some((run, part)), _) => {
             running_ui(ui, run, part);
             let empty = if run.stopping {
@@ -120,7 +120,7 @@ fn lower_first(text: &str) -> String {
     })
 }
 
-fn trace_ui(ui: &mut egui::Ui, updates: &[Progress], series: usize, empty: &str) {
+fn trace_ui(ui: &mut egui::Ui, updates: &[FitProgress], series: usize, empty: &str) {
     let height = (ui.available_height() - 4.0).clamp(TRACE, 2.5 * TRACE);
     let size = vec2(ui.available_width(), height);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());

@@ -60,7 +60,8 @@ pub fn stages_ui(ui: &mut egui::Ui, state: &State, settings: &mut Settings) {
                 .on_hover_text(fit_details::meaning(settings.weight));
         });
     });
-    for (stage, on) in STAGES.into_iter().zip(&mut settings.stages) {
+    for stage in STAGES {
+        let on = &mut settings.stages[stage];
         let row = stage_row(state, stage);
         let response = ui
             .horizontal(|ui| {

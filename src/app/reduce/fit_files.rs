@@ -165,8 +165,8 @@ mod tests {
     use crate::app::reduce::apply;
     use crate::app::state::fitting::run::FitUpdates;
     use crate::brdf::Brdf;
-    use crate::files::fits::{Entry, FitRecord};
-    use crate::fit::{Ended, Errors, Options, Outcome, Progress, Stage, Weight};
+    use crate::files::fits::{FitEntry, FitRecord};
+    use crate::fit::{EndReason, Errors, FitOptions, FitProgress, Outcome, Stage, Weight};
     use crate::measured::Grid;
     use crate::measured::Table;
 
@@ -190,7 +190,7 @@ mod tests {
         brdf
     }
 
-    fn outcome(brdf: Brdf, ended: Ended) -> Outcome {
+    fn outcome(brdf: Brdf, ended: EndReason) -> Outcome {
         let error = 0.1;
         Outcome {
             brdf,
@@ -210,9 +210,9 @@ mod tests {
     /// A fit file with one fit of a material of this name.
     fn file(name: &str, brdf: Brdf) -> Msg {
         let asked = (Weight::default(), 90.0);
-        let outcome = outcome(brdf, Ended::Converged);
-        let fit = FitRecord::new(name.into(), None, asked, &Options::default(), &outcome);
-        let entry = Entry {
+        let outcome = outcome(brdf, EndReason::Converged);
+        let fit = FitRecord::new(name.into(), None, asked, &FitOptions::default(), &outcome);
+        let entry = FitEntry {
             brdf,
             material: Some(name.into()),
             source: None,
@@ -237,7 +237,7 @@ mod tests {
     fn fit(state: &mut State, best: Brdf) -> u64 {
         apply(state, Msg::Run(Command::Fit));
         let job = state.fit.run.as_ref().expect("a fit").job;
-        let progress = Progress {
+        let progress = FitProgress {
             stage: Stage::Joint,
             brdf: best,
             error: 0.2,
@@ -253,7 +253,7 @@ mod tests {
         job
     }
 
-    fn done(state: &mut State, job: u64, brdf: Brdf, ended: Ended) {
+    fn done(state: &mut State, job: u64, brdf: Brdf, ended: EndReason) {
         let timed = Timed {
             outcome: outcome(brdf, ended),
             seconds: 1.0,
@@ -273,7 +273,7 @@ mod tests {
         apply(&mut state, Msg::Select(0));
         apply(&mut state, file("grey 1", of_file));
         assert!(state.fit.run.as_ref().is_some_and(|run| run.stopping));
-        done(&mut state, job, at_end, Ended::Cancelled);
+        done(&mut state, job, at_end, EndReason::Cancelled);
         let shown = |state: &State| state.scene.opened[1].brdf;
         assert_eq!((shown(&state), state.scene.selected), (of_file, 1));
         // The file's fit was not overwritten by one that was stopped.
@@ -295,7 +295,7 @@ mod tests {
         let job = fit(&mut state, so_far);
         apply(&mut state, file("grey 0", with_s(first, 8.0)));
         assert!(state.fit.run.as_ref().is_some_and(|run| !run.stopping));
-        done(&mut state, job, at_end, Ended::Converged);
+        done(&mut state, job, at_end, EndReason::Converged);
         assert_eq!(state.scene.opened[1].brdf, at_end);
         assert_eq!(state.scene.opened[0].brdf.params.s, 8.0);
     }

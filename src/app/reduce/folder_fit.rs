@@ -13,7 +13,7 @@ use crate::app::state::library::folder_run::FolderRun;
 use crate::app::state::notice::Level;
 use crate::brdf::Fresnel;
 use crate::files::fits::FitRecord;
-use crate::fit::{Ended, Variant};
+use crate::fit::{EndReason, Variant};
 use std::path::{Path, PathBuf};
 
 /// Fits the files of the folder as the panel says: the shown model, or all six. Files that have such a fit are left
@@ -65,7 +65,7 @@ fn has_fits(state: &State, path: &Path, variants: &[Variant], setup: &Setup) -> 
     variants.iter().all(|variant| {
         kept.iter().any(|fit| {
             Variant::from(&fit.brdf) == *variant
-                && fit.ended != Ended::Cancelled
+                && fit.ended != EndReason::Cancelled
                 && KeptFit::from(fit).setup.asks_the_same(setup)
         })
     })
@@ -156,7 +156,7 @@ mod tests {
         let other = state.fit.settings.setup(&fit.brdf);
         assert!(!has_fits(&state, path, &variants, &other));
         let cancelled = FitRecord {
-            ended: Ended::Cancelled,
+            ended: EndReason::Cancelled,
             ..fit
         };
         state.library.keep_fit(path, cancelled);

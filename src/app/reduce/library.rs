@@ -10,7 +10,7 @@ use crate::app::state::notice::Level;
 use crate::app::state::prefs::MemoryLimit;
 use crate::files;
 use crate::files::fits::MaterialFits;
-use crate::files::folder::{Content, shown_name};
+use crate::files::folder::{FileContent, shown_name};
 use crate::fit::Variant;
 use std::path::{Path, PathBuf};
 
@@ -119,13 +119,13 @@ fn listed(state: &mut State, number: u64, result: Result<Vec<PathBuf>, String>) 
     }
 }
 
-fn see(state: &mut State, number: u64, index: usize, result: Result<Content, String>) {
+fn see(state: &mut State, number: u64, index: usize, result: Result<FileContent, String>) {
     let Some(file) = file_mut(state, number, index) else {
         return;
     };
     match result {
-        Ok(Content::Measured) => file.kind = Kind::Measured(None),
-        Ok(Content::Models(all)) => {
+        Ok(FileContent::Measured) => file.kind = Kind::Measured(None),
+        Ok(FileContent::Models(all)) => {
             file.kind = Kind::Models(all.len());
             for fits in &all {
                 take_fits(state, fits);

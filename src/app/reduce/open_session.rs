@@ -13,8 +13,7 @@ use crate::app::state::probe::Probe;
 use crate::app::state::session::Missing;
 use crate::app::state::subject_key::{SubjectKey, What};
 use crate::app::state::{Scene, State};
-use crate::brdf::params::ALL;
-use crate::brdf::{Fresnel, Model};
+use crate::brdf::{Fresnel, Model, PerParam};
 use crate::files;
 use crate::fit::{STAGES, Variant};
 use crate::measured::Table;
@@ -170,12 +169,14 @@ fn take_the_rest(state: &mut State, session: &SessionFile) {
 }
 
 fn settings(saved: &SavedFitting) -> Settings {
+    let stages = STAGES.into_iter();
+    let stages = stages.filter(|stage| saved.stages.contains(&stage.number()));
     Settings {
         weight: saved.weight,
         limit: saved.limit,
-        stages: STAGES.map(|stage| saved.stages.contains(&stage.number())),
-        held: ALL.map(|row| saved.held.iter().any(|key| key == row.key)),
-        bounds: ALL.map(|row| saved.bounds.get(row.key).copied()),
+        stages: stages.collect(),
+        held: PerParam::from_rows(|row| saved.held.iter().any(|key| key == row.key)),
+        bounds: PerParam::from_rows(|row| saved.bounds.get(row.key).copied()),
         from_sliders: saved.from_sliders,
     }
 }

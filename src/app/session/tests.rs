@@ -29,7 +29,9 @@ use crate::figure::slices::{Over, Residual};
 use crate::figure::{Channel, CosineFactor};
 use crate::files::SourceFile;
 use crate::fit::options::NO_LIMIT;
-use crate::fit::{Ended, Errors, Options, Outcome, Stage, StageReport, Variant, Weight};
+use crate::fit::{
+    EndReason, Errors, FitOptions, Outcome, Stage, StageReport, StageSet, Variant, Weight,
+};
 use crate::geom::sphere_error::SphereError;
 use crate::measured::Table;
 use crate::measured::lookup::Lookup;
@@ -64,9 +66,9 @@ fn kept(brdf: Brdf, error: f64) -> KeptFit {
         error,
         evaluations: 17,
     };
-    let mut options = Options::default();
+    let mut options = FitOptions::default();
     options.held.s = Some(brdf.params.s);
-    options.bounds[0] = Some((0.0, 0.5));
+    options.bounds.rho_d = Some((0.0, 0.5));
     let mut setup = crate::app::state::fitting::settings::Settings::default().setup(&brdf);
     setup.options = options;
     setup.limit = 77f64.to_radians();
@@ -82,7 +84,7 @@ fn kept(brdf: Brdf, error: f64) -> KeptFit {
             },
             stages: vec![stage],
             evaluations: 34,
-            ended: Ended::Limit,
+            ended: EndReason::Limit,
             albedo,
             concerns: crate::fit::diagnostics::diagnose(&brdf, &options, &albedo),
         },
@@ -199,9 +201,9 @@ fn rich() -> State {
 
     state.fit.settings.weight = Weight::Cells;
     state.fit.settings.limit = 80f64.to_radians();
-    state.fit.settings.stages = [true, false, true, false];
-    state.fit.settings.held[3] = true;
-    state.fit.settings.bounds[2] = Some((1.0, 500.0));
+    state.fit.settings.stages = StageSet::from_iter([Stage::Amplitudes, Stage::ShapeAndSpecular]);
+    state.fit.settings.held.alpha = true;
+    state.fit.settings.bounds.s = Some((1.0, 500.0));
     state.fit.keep_optimal = true;
     state.fit.sort = SortBy::Grazing;
     state.pinned = Some(Probe::in_plane(0.7, -0.2));

@@ -10,7 +10,7 @@ use crate::app::state::material::{MaterialId, Opened, Origin, Presence};
 use crate::app::state::subject_key::{SubjectKey, What};
 use crate::brdf::params::ALL;
 use crate::files::session::SavedSource;
-use crate::fit::STAGES;
+use crate::fit::Stage;
 use crate::measured::samples::SAMPLES;
 use std::path::Path;
 
@@ -104,22 +104,18 @@ fn hidden(key: SubjectKey, position: impl Fn(MaterialId) -> Option<usize>) -> Op
 
 fn fitting(fit: &FitState) -> SavedFitting {
     let settings = &fit.settings;
-    let stages = STAGES.iter().zip(settings.stages);
-    let held = ALL.iter().zip(settings.held);
-    let bounds = ALL.iter().zip(settings.bounds);
     SavedFitting {
         weight: settings.weight,
         limit: settings.limit,
-        stages: stages
-            .filter(|(_, runs)| *runs)
-            .map(|(stage, _)| stage.number())
+        stages: settings.stages.iter().map(Stage::number).collect(),
+        held: ALL
+            .iter()
+            .filter(|row| settings.held[row.id])
+            .map(|row| row.key.into())
             .collect(),
-        held: held
-            .filter(|(_, held)| *held)
-            .map(|(row, _)| row.key.into())
-            .collect(),
-        bounds: bounds
-            .filter_map(|(row, ends)| Some((row.key.into(), ends?)))
+        bounds: ALL
+            .iter()
+            .filter_map(|row| Some((row.key.into(), settings.bounds[row.id]?)))
             .collect(),
         from_sliders: settings.from_sliders,
         keep_optimal: fit.keep_optimal,

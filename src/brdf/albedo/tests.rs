@@ -17,7 +17,7 @@ fn brdf(key: &str, fresnel: Fresnel, s: f64, alpha: f64, eta: f64) -> Brdf {
     }
 }
 
-/// The specular part for k_s = 1.
+/// Specular part of the albedo at an angle in degrees, for k_s = 1.
 fn specular(brdf: &Brdf, deg: f64) -> f64 {
     albedo(brdf, deg.to_radians())[0]
 }
@@ -60,7 +60,7 @@ fn normal_incidence_has_its_closed_forms() {
     assert!(worst_at_normal_incidence(1e-3) > 2e-5);
 }
 
-/// A sum over a fine grid of (θo, φo).
+/// Midpoint sum over a fine grid of (θo, φo).
 fn brute_force(brdf: &Brdf, theta_i: f64) -> f64 {
     let (rows, columns) = (700, 700);
     let wi = direction(theta_i, 0.0);

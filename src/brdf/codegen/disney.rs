@@ -1,17 +1,17 @@
 //! The `.brdf` files of Disney's BRDF Explorer: parameters with sliders, and a GLSL shader that reads them as uniforms.
 
 use super::glsl::from_wgsl;
-use super::items::Items;
+use super::items::WgslItems;
 use super::parts::{ascii, head, library, literal, used, values};
 use crate::brdf::Brdf;
 use crate::brdf::params::{Param, Scale};
 use std::fmt::Write as _;
 
-/// A `.brdf` file of the model, whose sliders begin at its numbers.
+/// Text of a `.brdf` file of the model, whose sliders begin at its parameters.
 ///
-/// The program's sliders are linear, so a parameter whose row has a logarithmic one is there as its logarithm, under
-/// `log10_` and its key. Its colours are in [0, 1], so a colour of ours is its largest channel under its key, and
-/// its shade under the key with `_color`. The ranges are those of the rows.
+/// The program's sliders are linear, so a parameter whose row has a logarithmic scale is written as its logarithm,
+/// under `log10_` and its key. The program's colours are in [0, 1], so a colour is written as its largest channel under
+/// its key, and its shade under the key with `_color`. Ranges are those of the rows.
 pub fn disney(brdf: &Brdf, material: Option<&str>) -> String {
     let mut text = String::from("analytic\n\n");
     text.push_str(&head(brdf, material, "#"));
@@ -44,7 +44,7 @@ pub fn disney(brdf: &Brdf, material: Option<&str>) -> String {
 }}
 "
     );
-    let items = Items::new(&[&library(brdf), &function]);
+    let items = WgslItems::new(&[&library(brdf), &function]);
     let functions = from_wgsl(&items.needed_by("BRDF"));
     let _ = write!(
         text,
@@ -53,7 +53,7 @@ pub fn disney(brdf: &Brdf, material: Option<&str>) -> String {
     ascii(&text)
 }
 
-/// Name, range and default of a parameter's slider, and the parameter in terms of it.
+/// Name, range and default of a parameter's slider, and the GLSL expression of the parameter in terms of it.
 fn slider(row: &Param, value: f64) -> (String, [f64; 2], f64, String) {
     let key = row.key;
     let (low, high) = row.range;

@@ -1,18 +1,20 @@
-//! WGSL as GLSL, for the part of WGSL in which the twins of the models are written: functions, structs, `if` and
-//! arithmetic, with the type of every `let` and `var` written out and no types but f32, u32 and vectors.
+//! Translation of WGSL to GLSL, for the subset of WGSL in which the twins of the models are written: functions,
+//! structs, `if` and arithmetic, with the type of every `let` and `var` written out and no types but f32, u32 and
+//! vectors.
 
-use super::items::{Items, is_word, tokens};
+use super::items::{WgslItems, is_word, tokens};
 use super::parts::{USE, ascii, entry, head, library};
 use crate::brdf::Brdf;
 
-/// A GLSL text that defines `vec3 brdf(vec3 wi, vec3 wo)`, the twin of [`Brdf::f_r`] with 0 below the horizon, for GLSL 1.30 and GLSL ES 3.00 and later.
+/// GLSL text that defines `vec3 brdf(vec3 wi, vec3 wo)`, the twin of [`Brdf::f_r`] with 0 below the horizon, for GLSL
+/// 1.30 and GLSL ES 3.00 and later.
 pub fn glsl(brdf: &Brdf, material: Option<&str>) -> String {
-    let items = Items::new(&[&library(brdf), &entry(brdf)]);
+    let items = WgslItems::new(&[&library(brdf), &entry(brdf)]);
     let text = from_wgsl(&items.needed_by("brdf"));
     ascii(&(head(brdf, material, "//") + USE + &text))
 }
 
-/// The same in GLSL. What it does not know it leaves as it is.
+/// GLSL translation of a WGSL text; tokens that are not known are left as they are.
 pub fn from_wgsl(text: &str) -> String {
     let tokens: Vec<&str> = tokens(text).collect();
     let mut writer = Writer {
@@ -39,7 +41,7 @@ impl<'a> Writer<'a> {
         token
     }
 
-    /// The next token that is no blank.
+    /// Next token that is not white space; empty at the end.
     fn next_solid(&mut self) -> &'a str {
         loop {
             match self.next() {
@@ -72,7 +74,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// `name: type` from here on, as GLSL has it.
+    /// `type name` in GLSL from the tokens `name: type` that follow.
     fn declaration(&mut self) -> String {
         let name = self.next_solid();
         // The colon.
@@ -138,7 +140,7 @@ fn is_name(token: &str) -> bool {
     token.starts_with(is_word)
 }
 
-/// The name that a type or a function has in GLSL.
+/// GLSL name of a WGSL type or built-in function.
 fn renamed(word: &str) -> &str {
     match word {
         "f32" => "float",

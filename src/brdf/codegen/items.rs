@@ -1,20 +1,20 @@
-//! The functions and structs of WGSL texts, one by one, and what each of them needs.
+//! The top-level functions and structs of WGSL texts, and the dependencies between them.
 
 use std::collections::BTreeSet;
 
 /// The top-level functions and structs of texts in which each begins and ends at the left margin.
-pub struct Items {
-    all: Vec<Item>,
+pub struct WgslItems {
+    all: Vec<WgslItem>,
 }
 
-struct Item {
+struct WgslItem {
     name: String,
-    /// With the comment right above it.
+    /// Source text with the comment right above it.
     text: String,
 }
 
-impl Items {
-    /// Takes the texts apart.
+impl WgslItems {
+    /// Splits the texts into items.
     pub fn new(texts: &[&str]) -> Self {
         let mut all = Vec::new();
         for text in texts {
@@ -33,15 +33,15 @@ impl Items {
                 }
                 if line == "}" {
                     let text = std::mem::take(&mut item);
-                    all.extend(name.take().map(|name| Item { name, text }));
+                    all.extend(name.take().map(|name| WgslItem { name, text }));
                 }
             }
         }
         Self { all }
     }
 
-    /// A text with an item and all that it needs, each after what it needs itself. The names of all but the item get a
-    /// prefix, so that they meet no others: `brdf_` for functions, `Brdf` for structs.
+    /// Text of an item and all items that it depends on, each after its own dependencies. Names of all but the item get
+    /// a prefix, so that they collide with no others: `brdf_` for functions, `Brdf` for structs.
     pub fn needed_by(&self, name: &str) -> String {
         let mut order = Vec::new();
         self.visit(name, &mut BTreeSet::new(), &mut order);
@@ -62,7 +62,12 @@ impl Items {
         text
     }
 
-    fn visit<'a>(&'a self, name: &str, seen: &mut BTreeSet<&'a str>, order: &mut Vec<&'a Item>) {
+    fn visit<'a>(
+        &'a self,
+        name: &str,
+        seen: &mut BTreeSet<&'a str>,
+        order: &mut Vec<&'a WgslItem>,
+    ) {
         let Some(item) = self.all.iter().find(|item| item.name == name) else {
             return;
         };
@@ -75,12 +80,12 @@ impl Items {
     }
 }
 
-/// The words of a text outside of comments.
+/// Words of a text, comments left out.
 fn words(text: &str) -> impl Iterator<Item = &str> {
     tokens(text).filter(|token| token.starts_with(is_word))
 }
 
-/// A text in pieces: words and numbers, runs of blanks, comments, single signs. Together they are the text.
+/// Tokens of a text: words and numbers, runs of white space, comments, single signs. Concatenated they are the text.
 pub fn tokens(text: &str) -> impl Iterator<Item = &str> {
     let mut rest = text;
     std::iter::from_fn(move || {
@@ -101,7 +106,7 @@ pub fn tokens(text: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Whether words are made of it.
+/// Whether a character is part of a word: an ASCII letter or digit, or `_`.
 pub fn is_word(c: char) -> bool {
     c.is_ascii_alphanumeric() || c == '_'
 }

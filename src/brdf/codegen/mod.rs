@@ -1,7 +1,8 @@
-//! A model with its numbers as text for other programs: a WGSL or a GLSL function to paste, and a Disney `.brdf` file.
+//! Export of a model with its parameters as text for other programs: a WGSL or a GLSL function to paste, and a Disney
+//! `.brdf` file.
 //!
-//! All of them are put together from the WGSL twins: the functions that this model and this Fresnel factor need, and
-//! no others. GLSL is the same text translated word by word. A new model needs nothing here.
+//! Each is put together from the WGSL twins: the functions that this model and this Fresnel factor need, and no others.
+//! GLSL is the same text translated token by token. A new model needs nothing here.
 
 mod disney;
 mod glsl;

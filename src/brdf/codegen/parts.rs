@@ -1,16 +1,16 @@
-//! The parts that the texts are put together from: head, numbers, functions.
+//! The parts of the exported texts: head, parameter values, functions.
 
 use crate::brdf::{Brdf, Fresnel, Param};
 use std::fmt::Write as _;
 
-/// How to call the function, as comments.
+/// Comment that says how the function is called.
 pub(super) const USE: &str = "//
 // brdf(wi, wo) is f_r in 1/sr for linear R, G, B: without the cosine, and 0 below the horizon. wi to the light and wo to
 // the viewer are unit vectors in the local frame, z = n. Dot products are clamped at 0.
 
 ";
 
-/// What the text is, as comments: model, formula, sources, numbers, version.
+/// Head of the text, as comments: model, formula, sources, parameter values, version.
 pub(super) fn head(brdf: &Brdf, material: Option<&str>, comment: &str) -> String {
     let of = material.map_or(String::new(), |name| format!(" of {}", one_line(name)));
     let name = brdf.model.name;
@@ -43,13 +43,13 @@ pub(super) fn head(brdf: &Brdf, material: Option<&str>, comment: &str) -> String
     )
 }
 
-/// The parameters that count, in the order of the rows.
+/// Rows of the parameters that count for this model and Fresnel factor, in the order of the model.
 pub(super) fn used(brdf: &Brdf) -> impl Iterator<Item = &'static Param> {
     let rows = brdf.model.params.iter();
     rows.filter(|row| brdf.uses(row.id))
 }
 
-/// A parameter's numbers, brought into its domain, on which the functions make no inf or NaN.
+/// Values of a parameter, clamped to its domain, on which the functions make no inf or NaN.
 pub(super) fn values(brdf: &Brdf, row: &Param) -> Vec<f64> {
     let values = brdf.params.get(row.id).iter();
     values.map(|value| row.clamp(*value)).collect()
@@ -63,12 +63,12 @@ fn literal_list(brdf: &Brdf, row: &Param) -> String {
     }
 }
 
-/// The shortest text that reads back as the same f64, as a literal of either language.
+/// Literal of a number in WGSL and GLSL: the shortest text that reads back as the same f64.
 pub(super) fn literal(value: f64) -> String {
     format!("{value:?}")
 }
 
-/// The twins that the model may need, and `with_params`, the BRDF for any numbers.
+/// WGSL text of the twins that the model may need, and of `with_params`, the BRDF for any parameters.
 pub(super) fn library(brdf: &Brdf) -> String {
     let mut text = String::from("struct Params {\n");
     for row in used(brdf) {
@@ -100,7 +100,7 @@ fn with_params(p: Params, wi: vec3f, wo: vec3f) -> vec3f {{
     text
 }
 
-/// The text of `fn brdf(wi, wo)` with the numbers of the model.
+/// WGSL text of `fn brdf(wi, wo)` with the parameter values of the model.
 pub(super) fn entry(brdf: &Brdf) -> String {
     let mut text =
         String::from("fn brdf(wi: vec3f, wo: vec3f) -> vec3f {\n    let p: Params = Params(\n");
@@ -113,7 +113,7 @@ pub(super) fn entry(brdf: &Brdf) -> String {
     text
 }
 
-/// A name that is nothing but text in a comment: a backslash at the end would go on in the next line.
+/// Name as ASCII text in a comment of one line: a backslash at its end would continue the comment.
 fn one_line(name: &str) -> String {
     let plain = |c: char| match c {
         '\\' => '/',
@@ -123,7 +123,7 @@ fn one_line(name: &str) -> String {
     name.chars().map(plain).collect()
 }
 
-/// Shader compilers need not know more than ASCII, not even in comments.
+/// Text with characters outside of ASCII written out: shader compilers need not accept them, not even in comments.
 pub(super) fn ascii(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

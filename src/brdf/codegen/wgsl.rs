@@ -1,13 +1,13 @@
-//! A WGSL function to paste.
+//! Export of a model as a WGSL function to paste.
 
-use super::items::Items;
+use super::items::WgslItems;
 use super::parts::{USE, ascii, entry, head, library};
 use crate::brdf::Brdf;
 
-/// A WGSL text that defines `fn brdf(wi: vec3f, wo: vec3f) -> vec3f`, the twin of [`Brdf::f_r`] with 0 below the horizon.
+/// WGSL text that defines `fn brdf(wi: vec3f, wo: vec3f) -> vec3f`, the twin of [`Brdf::f_r`] with 0 below the horizon.
 ///
-/// `material` is named in its head. Everything else that it defines begins with `brdf_` or `Brdf`.
+/// `material` is named in the head of the text. Every other name that it defines begins with `brdf_` or `Brdf`.
 pub fn wgsl(brdf: &Brdf, material: Option<&str>) -> String {
-    let items = Items::new(&[&library(brdf), &entry(brdf)]);
+    let items = WgslItems::new(&[&library(brdf), &entry(brdf)]);
     ascii(&(head(brdf, material, "//") + USE + &items.needed_by("brdf")))
 }

@@ -13,7 +13,7 @@ use crate::brdf::params::{self, Param, Params};
 use crate::geom::Cosines;
 use std::f64::consts::PI;
 
-/// The row of this model.
+/// Row of the Blinn-Phong model.
 pub static MODEL: Model = Model {
     key: "blinn-phong",
     name: "Blinn-Phong",
@@ -27,7 +27,7 @@ pub static MODEL: Model = Model {
     alpha: Some(1.0),
 };
 
-/// s reaches four times as far as in the other models, so that every look of theirs has its twin here.
+/// Exponent s with four times the range of the other models, so that each of their highlights has its counterpart here.
 const S: Param = Param {
     range: (0.04, 4e5),
     domain: (4e-3, 4e7),

@@ -14,7 +14,7 @@ use crate::brdf::model::Model;
 use crate::brdf::params::{self, Params};
 use crate::geom::{Cosine, Cosines};
 
-/// The row of this model.
+/// Row of the combined model.
 pub static MODEL: Model = Model {
     key: "combined",
     name: "Combined",

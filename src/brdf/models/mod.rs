@@ -14,12 +14,12 @@ pub use phong::MODEL as PHONG;
 pub static MODELS: [&Model; 3] = [&PHONG, &BLINN_PHONG, &COMBINED];
 
 impl Model {
-    /// The model whose `key` this is.
+    /// The model with this `key`.
     pub fn by_key(key: &str) -> Option<&'static Self> {
         MODELS.into_iter().find(|model| model.key == key)
     }
 
-    /// Position in [`MODELS`], which is the model's number on the GPU.
+    /// Index in [`MODELS`], which is the model's number on the GPU.
     pub fn index(&self) -> usize {
         MODELS.iter().position(|model| *model == self).unwrap_or(0)
     }

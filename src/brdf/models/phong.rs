@@ -13,7 +13,7 @@ use crate::brdf::params::{self, Params};
 use crate::geom::Cosines;
 use std::f64::consts::PI;
 
-/// The row of this model.
+/// Row of the Phong model.
 pub static MODEL: Model = Model {
     key: "phong",
     name: "Phong",

@@ -8,7 +8,7 @@ use crate::export::{Opened, SubjectSource};
 use crate::files::fits;
 use crate::files::{self, FileError};
 use crate::fit::options::NO_LIMIT;
-use crate::fit::{self, Options, Problem, Variant, Weight};
+use crate::fit::{self, FitOptions, Problem, Variant, Weight};
 use crate::measured::Table;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -121,11 +121,11 @@ fn models(
     if !missing.is_empty() {
         let problem = Problem::new(table, Weight::default(), NO_LIMIT)
             .map_err(|error| FileError::new(&found.path, error.to_string()))?;
-        let watch = &mut |position: usize, progress: &fit::Progress| {
+        let watch = &mut |position: usize, progress: &fit::FitProgress| {
             bar.progress(position, progress);
             ControlFlow::Continue(())
         };
-        let outcomes = fit::fit_all(&problem, &missing, &Options::default(), watch);
+        let outcomes = fit::fit_all(&problem, &missing, &FitOptions::default(), watch);
         fitted.extend(outcomes.into_iter().map(|outcome| outcome.brdf));
     }
     let of = |variant: &Variant| {

@@ -1,7 +1,7 @@
 //! The values of the options of `grazing fit`: each function says in one line what is wrong and what was expected.
 
 use crate::brdf::{Param, Params, params};
-use crate::fit::{Partial, Stage};
+use crate::fit::{Partial, Stage, StageSet};
 
 /// A grazing limit in degrees.
 pub fn limit(text: &str) -> Result<f64, String> {
@@ -16,8 +16,8 @@ pub fn limit(text: &str) -> Result<f64, String> {
 }
 
 /// Numbers of stages with commas between them.
-pub fn stages(text: &str) -> Result<[bool; 4], String> {
-    let mut stages = [false; 4];
+pub fn stages(text: &str) -> Result<StageSet, String> {
+    let mut stages = StageSet::NONE;
     if text.trim().is_empty() {
         return Err("no stage is given; expected some of 1,2,3,4".into());
     }
@@ -26,14 +26,13 @@ pub fn stages(text: &str) -> Result<[bool; 4], String> {
         let Some(stage) = stage else {
             return Err(format!("{part:?} is no stage; expected some of 1,2,3,4"));
         };
-        let run = &mut stages[stage.number() - 1];
-        if *run {
+        if stages[stage] {
             return Err(format!(
                 "stage {} is given twice; expected each at most once",
                 stage.number()
             ));
         }
-        *run = true;
+        stages[stage] = true;
     }
     Ok(stages)
 }

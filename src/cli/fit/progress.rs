@@ -1,6 +1,6 @@
 //! How far `grazing fit` is: one bar over all files and variants where standard error is a terminal, else nothing.
 
-use crate::fit::{Progress, Variant};
+use crate::fit::{FitProgress, Variant};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::Path;
 
@@ -48,7 +48,7 @@ impl Bar {
     }
 
     /// The fit of a variant goes on.
-    pub fn progress(&mut self, variant: usize, progress: &Progress) {
+    pub fn progress(&mut self, variant: usize, progress: &FitProgress) {
         if let Some(share) = self.shares.get_mut(variant) {
             // The variants may take turns, and the bar only goes forward.
             *share = share.max(f64::from(progress.share).clamp(0.0, 1.0));

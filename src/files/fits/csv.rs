@@ -3,16 +3,16 @@
 use super::json::angle_key;
 use super::record::FitRecord;
 use crate::brdf::params;
+use crate::fit::Partial;
 use crate::fit::outcome::ALBEDO_ANGLES;
-use crate::fit::{Partial, STAGES};
 use std::io::{self, Write};
 
 const CHANNELS: [&str; 3] = ["r", "g", "b"];
 
-/// Writes a line with the names of the columns and a row per fit.
+/// Writes a line of column names and a row per fit.
 ///
 /// # Errors
-/// Those of the writer.
+/// Errors of the writer.
 pub fn write_csv(fits: &[FitRecord], out: &mut dyn Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(out);
     writer.write_record(columns())?;
@@ -79,7 +79,7 @@ fn row(fit: &FitRecord) -> Vec<String> {
         ),
         None => Default::default(),
     };
-    let stages = STAGES.into_iter().filter(|stage| fit.options.runs(*stage));
+    let stages = fit.options.stages.iter();
     let stages: Vec<String> = stages.map(|stage| stage.number().to_string()).collect();
     row.extend([
         fit.evaluations.to_string(),
@@ -96,7 +96,7 @@ fn row(fit: &FitRecord) -> Vec<String> {
     row
 }
 
-/// Values as they are typed on the command line: `s=30,k_s=1:2:3`.
+/// Parameter values as they are typed on the command line: `s=30,k_s=1:2:3`.
 fn settings(values: &Partial, fit: &FitRecord) -> String {
     let params = values.over(fit.brdf.params);
     let set = params::ALL
@@ -109,7 +109,7 @@ fn settings(values: &Partial, fit: &FitRecord) -> String {
     set.collect::<Vec<_>>().join(",")
 }
 
-/// The shortest text that reads back as the same number; empty for none.
+/// Shortest text that reads back as the same number; empty where it is not finite.
 fn number(value: f64) -> String {
     if value.is_finite() {
         format!("{value:?}")

@@ -1,20 +1,20 @@
 //! Fits as JSON: one line per fit, numbers as the shortest text that reads back as the same f64.
 
-use super::record::{Entry, FitRecord, SourceFile, StageRecord};
-use crate::brdf::{self, Brdf, ParamId, Params, params};
-use crate::fit::options::default_bounds;
+use super::record::{FitEntry, FitRecord, SourceFile, StageRecord};
+use crate::brdf::{self, Brdf, ParamId, Params, PerParam, params};
+use crate::fit::options;
 use crate::fit::outcome::ALBEDO_ANGLES;
-use crate::fit::{Ended, Errors, Options, Partial, STAGES, Stage, Weight};
+use crate::fit::{EndReason, Errors, FitOptions, Partial, Stage, Weight};
 use crate::geom::Rgb;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-/// Writes an array with an object per fit.
+/// Writes a fit file: an array with an object per fit.
 ///
 /// # Errors
-/// Those of the writer.
+/// Errors of the writer.
 pub fn write_json(fits: &[FitRecord], out: &mut dyn Write) -> io::Result<()> {
     write!(out, "[")?;
     for (index, fit) in fits.iter().enumerate() {
@@ -24,16 +24,16 @@ pub fn write_json(fits: &[FitRecord], out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "\n]")
 }
 
-/// One fit as an object of such an array.
+/// JSON object of a fit in a fit file.
 pub fn to_value(fit: &FitRecord) -> Value {
     // Numbers and texts under keys that are texts: nothing that JSON lacks.
     serde_json::to_value(Object::from(fit)).unwrap_or_default()
 }
 
-/// Reads one object of such an array as a whole fit.
+/// Reads the JSON object of a fit.
 ///
 /// # Errors
-/// Says why it is no model, or which key is missing or not understood.
+/// Says why it has no model, or which key is missing or not understood.
 pub fn from_value(value: Value) -> Result<FitRecord, String> {
     let brdf = brdf::json::from_value(&value).map_err(|error| error.to_string())?;
     let object = Object::deserialize(value).map_err(|error| format!("not a fit: {error}"))?;
@@ -41,12 +41,12 @@ pub fn from_value(value: Value) -> Result<FitRecord, String> {
     record.ok_or_else(|| "not a fit: a stage, an angle, the weight or the end is unknown".into())
 }
 
-/// The models of a text that holds one object or an array of them: fits, plain models, or both.
+/// Entries of a text that holds one object or an array of them: fits, plain models, or both.
 ///
 /// # Errors
-/// Says where the text is no JSON, or which entry is no model and why. What an entry says beside its model is
-/// taken where it is understood and left alone where not.
-pub fn entries(text: &str) -> Result<Vec<Entry>, String> {
+/// Says where the text is no JSON, or which entry has no model and why. Other keys of an entry are used where they are
+/// understood and ignored where not.
+pub fn entries(text: &str) -> Result<Vec<FitEntry>, String> {
     let value: Value =
         serde_json::from_str(text).map_err(|error| format!("not valid JSON: {error}"))?;
     match value {
@@ -60,10 +60,10 @@ pub fn entries(text: &str) -> Result<Vec<Entry>, String> {
     }
 }
 
-fn entry(value: Value) -> Result<Entry, String> {
+fn entry(value: Value) -> Result<FitEntry, String> {
     let brdf = brdf::json::from_value(&value).map_err(|error| error.to_string())?;
     let text = |key: &str| value.get(key).and_then(Value::as_str).map(str::to_owned);
-    Ok(Entry {
+    Ok(FitEntry {
         brdf,
         material: text("material")
             .map(|name| name.replace(char::is_control, " "))
@@ -78,7 +78,7 @@ fn entry(value: Value) -> Result<Entry, String> {
     })
 }
 
-/// The object of a fit: its keys in the order in which they are written.
+/// JSON object of a fit: its keys in the order in which they are written.
 #[derive(Serialize, Deserialize)]
 struct Object {
     material: String,
@@ -123,7 +123,7 @@ struct StageObject {
     parameters: Numbers,
 }
 
-/// Parameters by key; null where there is none.
+/// Parameter values by key; null where there is none.
 #[derive(Serialize, Deserialize)]
 struct Numbers {
     rho_d: Option<Rgb>,
@@ -134,7 +134,7 @@ struct Numbers {
 }
 
 impl Numbers {
-    /// Those that count for a model.
+    /// Values without those of parameters that do not count for a model.
     fn new(values: &Partial, brdf: &Brdf) -> Self {
         Self {
             rho_d: values.rho_d,
@@ -164,7 +164,7 @@ impl Numbers {
     }
 }
 
-/// Bounds by key, smallest and largest; null where the model lacks the parameter.
+/// Bounds by key, (smallest, largest); null where the model lacks the parameter.
 #[derive(Serialize, Deserialize)]
 struct Bounds {
     rho_d: Option<(f64, f64)>,
@@ -175,7 +175,7 @@ struct Bounds {
 }
 
 impl Bounds {
-    fn new(options: &Options, brdf: &Brdf) -> Self {
+    fn new(options: &FitOptions, brdf: &Brdf) -> Self {
         let of = |id| {
             let row = brdf.model.param(id).filter(|_| brdf.uses(id))?;
             Some(options.bounds_of(row))
@@ -189,9 +189,9 @@ impl Bounds {
         }
     }
 
-    /// Those that are not the default ones.
-    fn values(&self) -> [Option<(f64, f64)>; 5] {
-        params::ALL.map(|row| {
+    /// Bounds that are not the default ones.
+    fn values(&self) -> PerParam<Option<options::Bounds>> {
+        PerParam::from_rows(|row| {
             let bounds = match row.id {
                 ParamId::RhoD => self.rho_d,
                 ParamId::KS => self.k_s,
@@ -199,7 +199,7 @@ impl Bounds {
                 ParamId::Alpha => self.alpha,
                 ParamId::Eta => self.eta,
             };
-            bounds.filter(|bounds| *bounds != default_bounds(&row))
+            bounds.filter(|bounds| *bounds != options::default_bounds(row))
         })
     }
 }
@@ -209,7 +209,6 @@ impl From<&FitRecord> for Object {
         let (brdf, options) = (&fit.brdf, &fit.options);
         let Numbers { alpha, eta, .. } = Numbers::of(&brdf.params, brdf);
         let finite = |error: f64| error.is_finite().then_some(error);
-        let run = STAGES.into_iter().filter(|stage| options.runs(*stage));
         let stages = fit.stages.iter().map(|stage| StageObject {
             stage: stage.stage.number(),
             start_error: stage.start_error,
@@ -225,7 +224,7 @@ impl From<&FitRecord> for Object {
             options: OptionsObject {
                 weight: fit.weight.key().into(),
                 limit: fit.limit_deg,
-                stages: run.map(Stage::number).collect(),
+                stages: options.stages.iter().map(Stage::number).collect(),
                 start: Numbers::new(&options.start, brdf),
                 held: Numbers::new(&options.held, brdf),
                 bounds: Bounds::new(options, brdf),
@@ -254,23 +253,22 @@ impl From<&FitRecord> for Object {
     }
 }
 
-/// The key of an albedo: the angle in degrees.
+/// Key of an albedo: the angle in degrees.
 pub(super) fn angle_key(degrees: f64) -> String {
     format!("{degrees}")
 }
 
 impl Object {
-    /// The fit, where all of it is understood. `brdf` is the model that the object was read as.
+    /// Record of the fit; `None` where a stage, an angle, the weight or the end is unknown. `brdf` is the model that
+    /// the object was read as.
     fn into_record(self, brdf: Brdf) -> Option<FitRecord> {
-        let mut options = Options {
-            stages: [false; 4],
+        let stages = self.options.stages.into_iter().map(Stage::by_number);
+        let options = FitOptions {
+            stages: stages.collect::<Option<_>>()?,
             start: self.options.start.values(),
             held: self.options.held.values(),
             bounds: self.options.bounds.values(),
         };
-        for number in self.options.stages {
-            options.stages[Stage::by_number(number)?.number() - 1] = true;
-        }
         let stage = |stage: StageObject| {
             Some(StageRecord {
                 stage: Stage::by_number(stage.stage)?,
@@ -301,7 +299,7 @@ impl Object {
             stages: self.stages.into_iter().map(stage).collect::<Option<_>>()?,
             albedo: [a, b, c],
             evaluations: self.evaluations,
-            ended: [Ended::Converged, Ended::Limit, Ended::Cancelled]
+            ended: [EndReason::Converged, EndReason::Limit, EndReason::Cancelled]
                 .into_iter()
                 .find(|ended| ended.key() == self.ended_because)?,
             concerns: self.concerns,

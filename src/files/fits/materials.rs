@@ -1,38 +1,38 @@
-//! The entries of a fit file by material.
+//! Entries of a fit file grouped by material.
 
-use super::record::{Entry, FitRecord, SourceFile};
+use super::record::{FitEntry, FitRecord, SourceFile};
 use crate::brdf::Brdf;
 use crate::files::paths::{absolute, material_name};
 use std::path::{Path, PathBuf};
 
-/// The models that a file has for one material.
+/// Models of one material in a fit file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MaterialFits {
     /// Name of the material.
     pub name: String,
-    /// The measured file as the fit file names it.
+    /// Measured file as named by the fit file; `None` where it names none.
     pub source: Option<SourceFile>,
-    /// Where the measured file may be, see [`SourceFile::places`]; from the root on.
+    /// Paths at which the measured file may be, absolute, in the order of [`SourceFile::places`].
     pub places: Vec<PathBuf>,
-    /// The measured file that is there.
+    /// Path of the measured file; `None` where it is at none of `places`.
     pub found: Option<PathBuf>,
-    /// The model with the smallest E; the first where no E is given.
+    /// Model with the smallest E; the first where no E is given.
     pub best: Brdf,
-    /// All models by ascending E, those without E last.
-    pub entries: Vec<Entry>,
+    /// Entries by ascending E, those without E last.
+    pub entries: Vec<FitEntry>,
 }
 
 impl MaterialFits {
-    /// Fits of a measured file that is there, as a fit file would bring them; `None` without any.
+    /// Fits of a measured file that exists, grouped as those of a fit file; `None` without any.
     pub fn of_records(
         name: String,
         source: Option<SourceFile>,
         found: &Path,
         records: &[FitRecord],
     ) -> Option<Self> {
-        let mut entries: Vec<Entry> = records
+        let mut entries: Vec<FitEntry> = records
             .iter()
-            .map(|record| Entry {
+            .map(|record| FitEntry {
                 brdf: record.brdf,
                 material: Some(record.material.clone()),
                 source: record.source.clone(),
@@ -52,17 +52,17 @@ impl MaterialFits {
     }
 }
 
-/// By ascending E, those without E last.
-fn sort(entries: &mut [Entry]) {
-    let error = |entry: &Entry| entry.error.unwrap_or(f64::INFINITY);
+/// Sorts entries by ascending E, those without E last.
+fn sort(entries: &mut [FitEntry]) {
+    let error = |entry: &FitEntry| entry.error.unwrap_or(f64::INFINITY);
     entries.sort_by(|a, b| error(a).total_cmp(&error(b)));
 }
 
-/// Sorts the entries of the file `path` by material and looks which measured files are there.
+/// Groups the entries of the file `path` by material and checks which measured files exist.
 ///
-/// Entries belong together if they were fitted to the same path or to the same bytes, or if none of them names a
-/// source and they have the same material. Nameless ones are each on their own, named after the file.
-pub fn by_material(path: &Path, entries: Vec<Entry>) -> Vec<MaterialFits> {
+/// Entries belong together if they were fitted to the same path or to the same bytes, or if none of them names a source
+/// and they have the same material. Entries without a name are each on their own, named after the file.
+pub fn by_material(path: &Path, entries: Vec<FitEntry>) -> Vec<MaterialFits> {
     let path = absolute(path);
     let folder = path.parent().unwrap_or(Path::new(""));
     let single = entries.len() == 1;
@@ -98,18 +98,18 @@ pub fn by_material(path: &Path, entries: Vec<Entry>) -> Vec<MaterialFits> {
     all
 }
 
-/// The model with the smallest E among the fits of a measured file: those made from the same path or the same bytes.
-pub fn best_of<'a>(entries: &'a [Entry], source: &SourceFile) -> Option<&'a Entry> {
+/// Entry with the smallest E among the fits of a measured file: those made from the same path or the same bytes.
+pub fn best_of<'a>(entries: &'a [FitEntry], source: &SourceFile) -> Option<&'a FitEntry> {
     let of_it = entries.iter().filter(|entry| {
         let same =
             |other: &SourceFile| other.path == source.path || other.same_data(source) == Some(true);
         entry.source.as_ref().is_some_and(same)
     });
-    let error = |entry: &Entry| entry.error.unwrap_or(f64::INFINITY);
+    let error = |entry: &FitEntry| entry.error.unwrap_or(f64::INFINITY);
     of_it.min_by(|a, b| error(a).total_cmp(&error(b)))
 }
 
-fn belongs(entry: &Entry, fits: &MaterialFits) -> bool {
+fn belongs(entry: &FitEntry, fits: &MaterialFits) -> bool {
     match (&entry.source, &fits.source) {
         (Some(a), Some(b)) => a.path == b.path || a.same_data(b) == Some(true),
         (None, None) => entry.material.as_ref() == Some(&fits.name),

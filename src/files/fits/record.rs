@@ -1,31 +1,31 @@
-//! What a fit file holds of a fit.
+//! Contents of a fit file as data.
 
 use crate::brdf::{Brdf, Params};
-use crate::fit::{Ended, Errors, Options, Outcome, Stage, Weight};
+use crate::fit::{EndReason, Errors, FitOptions, Outcome, Stage, Weight};
 use crate::geom::Rgb;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
-/// Which measured file.
+/// Identity of a measured file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SourceFile {
-    /// Its path, from the root on where this program wrote it.
+    /// Path of the file, absolute where this program wrote it.
     pub path: String,
-    /// Its length.
+    /// Length of the file in bytes; `None` where not known.
     pub bytes: Option<u64>,
-    /// SHA-256 of its bytes in hexadecimal.
+    /// SHA-256 of the file's bytes in hexadecimal; `None` where not known.
     pub sha256: Option<String>,
 }
 
 impl SourceFile {
-    /// Whether both are the same bytes; `None` where one of them is not known.
+    /// Whether both files have the same bytes; `None` where a hash is not known.
     pub fn same_data(&self, other: &Self) -> Option<bool> {
         let (a, b) = (self.sha256.as_ref()?, other.sha256.as_ref()?);
         Some(a.eq_ignore_ascii_case(b))
     }
 
-    /// The places where it may be, in the order in which to look: its path, seen from `folder` if it is relative;
-    /// in `folder` under the same name, as happens when both were moved.
+    /// Paths at which the file may be, in the order in which to look: its path, relative to `folder` if it is not
+    /// absolute; its name in `folder`, as happens when both were moved.
     pub fn places(&self, folder: &Path) -> [PathBuf; 2] {
         // The path may come from another system.
         let name = self.path.rsplit(['/', '\\']).next().unwrap_or(&self.path);
@@ -33,59 +33,59 @@ impl SourceFile {
     }
 }
 
-/// A stage of a fit as the file keeps it.
+/// Stage of a fit as recorded in a file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StageRecord {
-    /// Which one.
+    /// Stage that was run.
     pub stage: Stage,
-    /// E where it began.
+    /// E at the start of the stage.
     pub start_error: f64,
-    /// E where it ended.
+    /// E at the end of the stage.
     pub error: f64,
-    /// How many shapes (s, α, η) it has tried.
+    /// Number of shapes (s, α, η) that the stage has tried.
     pub evaluations: usize,
-    /// Where it ended.
+    /// Parameters at the end of the stage.
     pub params: Params,
 }
 
-/// A fit with all that one must know to repeat it.
+/// Record of a fit with all that is needed to repeat it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FitRecord {
     /// Name of the material.
     pub material: String,
-    /// The measured file; `None` for data without one.
+    /// Measured file; `None` for data without one.
     pub source: Option<SourceFile>,
     /// Version of the program that fitted.
     pub version: String,
-    /// How much a cell counted.
+    /// Weight of the cells.
     pub weight: Weight,
-    /// The grazing limit in degrees.
+    /// Grazing limit in degrees.
     pub limit_deg: f64,
-    /// Stages, what was held, where it began, bounds.
-    pub options: Options,
-    /// The fitted model.
+    /// Options of the fit: stages, held values, start, bounds.
+    pub options: FitOptions,
+    /// Fitted model.
     pub brdf: Brdf,
-    /// Its E.
+    /// E of the fitted model.
     pub errors: Errors,
-    /// The stages that were run, in order.
+    /// Records of the stages that were run, in order.
     pub stages: Vec<StageRecord>,
-    /// Directional albedo at [`crate::fit::outcome::ALBEDO_ANGLES`].
+    /// Directional albedo of the model at [`crate::fit::outcome::ALBEDO_ANGLES`], linear RGB.
     pub albedo: [Rgb; 3],
-    /// How many shapes (s, α, η) were tried in all.
+    /// Number of shapes (s, α, η) that were tried in all.
     pub evaluations: usize,
-    /// Why it ended.
-    pub ended: Ended,
-    /// What to know before trusting it, as sentences.
+    /// Reason why the fit ended.
+    pub ended: EndReason,
+    /// Concerns about the parameters, a sentence each.
     pub concerns: Vec<String>,
 }
 
 impl FitRecord {
-    /// The record of a fit made by this program.
+    /// Record of a fit made by this version of the program.
     pub fn new(
         material: String,
         source: Option<SourceFile>,
         (weight, limit_deg): (Weight, f64),
-        options: &Options,
+        options: &FitOptions,
         outcome: &Outcome,
     ) -> Self {
         let stages = outcome.stages.iter().map(|report| StageRecord {
@@ -112,23 +112,23 @@ impl FitRecord {
         }
     }
 
-    /// Whether the model reflects more than it receives at one of the angles.
+    /// Whether the directional albedo is above 1 at one of the angles.
     pub fn exceeds_one(&self) -> bool {
         self.albedo.iter().flatten().any(|albedo| *albedo > 1.0)
     }
 }
 
-/// A model of a JSON file with what the file says around it.
+/// Entry of a JSON file: a model with the other keys of its object.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Entry {
-    /// The model.
+pub struct FitEntry {
+    /// Model of the entry.
     pub brdf: Brdf,
-    /// Name of the material, in one line.
+    /// Name of the material, in one line; `None` where it is missing or blank.
     pub material: Option<String>,
-    /// The measured file that it was fitted to.
+    /// Measured file that the model was fitted to; `None` where none is named.
     pub source: Option<SourceFile>,
-    /// Its E.
+    /// E of the model; `None` where none is given.
     pub error: Option<f64>,
-    /// All the rest, where the entry is a whole fit and no plain model.
+    /// Record of the whole fit; `None` for a plain model.
     pub fit: Option<FitRecord>,
 }

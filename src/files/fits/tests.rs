@@ -1,6 +1,6 @@
 use super::*;
 use crate::brdf::{Brdf, Fresnel, MODELS, Params};
-use crate::fit::{Ended, Errors, Options, Partial, STAGES, Weight};
+use crate::fit::{EndReason, Errors, FitOptions, Partial, STAGES, Weight};
 
 fn record(model: usize, fresnel: Fresnel) -> FitRecord {
     let brdf = Brdf {
@@ -14,7 +14,7 @@ fn record(model: usize, fresnel: Fresnel) -> FitRecord {
             eta: 1.1,
         },
     };
-    let mut options = Options {
+    let mut options = FitOptions {
         start: Partial {
             s: Some(30.0),
             alpha: Some(0.25),
@@ -24,10 +24,10 @@ fn record(model: usize, fresnel: Fresnel) -> FitRecord {
             rho_d: Some([0.1, 0.2, 0.3]),
             ..Partial::default()
         },
-        ..Options::default()
+        ..FitOptions::default()
     };
-    options.stages[1] = false;
-    options.bounds[2] = Some((1.0, 500.0));
+    options.stages.shape = false;
+    options.bounds.s = Some((1.0, 500.0));
     FitRecord {
         material: "half \"brass\", β".into(),
         source: Some(SourceFile {
@@ -57,7 +57,7 @@ fn record(model: usize, fresnel: Fresnel) -> FitRecord {
             .collect(),
         albedo: [[0.1, 0.2, 0.3], [0.4, 0.5, 0.6], [0.7, 1.1, 0.9]],
         evaluations: 28,
-        ended: Ended::Limit,
+        ended: EndReason::Limit,
         concerns: vec!["s ended at its bound 500; the best may lie beyond.".into()],
     }
 }

@@ -1,4 +1,4 @@
-//! E of a model and its slopes in the variables of the search.
+//! Kernels of E and its gradient in the variables of the search.
 
 use super::super::amplitudes::Amplitudes;
 use super::super::lobe_kernel::LobeKernel;
@@ -9,12 +9,12 @@ use super::rows::{ROWS_PER_SUM, RowLanes, block_of, over_slabs, per_block};
 use pulp::Simd;
 use std::ops::Range;
 
-/// E and its slopes in (ln s, α, ln(η − 1)) with the amplitudes held.
+/// E and its gradient in (ln s, α, ln(η − 1)) with the amplitudes held.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Slopes {
-    /// Σ w |f̂ − f| / Σ w f, all channels over all channels.
+pub struct ErrorGradient {
+    /// E = Σ w |f̂ − f| / Σ w f, both sums over all channels.
     pub error: f64,
-    /// Its gradient; 0 unless asked for.
+    /// Gradient of E; 0 where it was not asked for.
     pub gradient: [f64; 3],
 }
 
@@ -27,9 +27,9 @@ struct ErrorPass<'a, const GRADIENT: bool> {
 }
 
 impl<const GRADIENT: bool> Kernel for ErrorPass<'_, GRADIENT> {
-    type Output = Slopes;
+    type Output = ErrorGradient;
     #[inline(always)]
-    fn run<S: Simd>(self, simd: S) -> Slopes {
+    fn run<S: Simd>(self, simd: S) -> ErrorGradient {
         match self.cells.mirror_count {
             2 => self.sum::<S, 2>(simd),
             _ => self.sum::<S, 4>(simd),
@@ -39,14 +39,14 @@ impl<const GRADIENT: bool> Kernel for ErrorPass<'_, GRADIENT> {
 
 impl<const GRADIENT: bool> ErrorPass<'_, GRADIENT> {
     #[inline(always)]
-    fn sum<S: Simd, const MIRRORS: usize>(self, simd: S) -> Slopes {
+    fn sum<S: Simd, const MIRRORS: usize>(self, simd: S) -> ErrorGradient {
         let splat = |x: f32| Lanes::splat(simd, x);
         let zero = splat(0.0);
         let diffuse = self.amplitudes.diffuse.map(|a| splat(a as f32));
         let specular = self.amplitudes.specular.map(|b| splat(b as f32));
         let band = splat(self.band);
         let smallest = splat(f32::MIN_POSITIVE);
-        let mut slopes = Slopes::default();
+        let mut slopes = ErrorGradient::default();
         for rows in self.rows.chunks(ROWS_PER_SUM) {
             let [mut error, mut by_s, mut by_alpha] = [zero; 3];
             for row in rows {
@@ -59,7 +59,7 @@ impl<const GRADIENT: bool> ErrorPass<'_, GRADIENT> {
                     let cos2 = Lanes::new(simd, *cos2);
                     let point = lanes.point(simd, cos2);
                     let weight = lanes.weight(cos2);
-                    let mut push = zero;
+                    let mut by_shape = zero;
                     let values = block_of::<S, MIRRORS>(values, vector);
                     for mirror in 0..MIRRORS {
                         let measured: [_; 3] = std::array::from_fn(|channel| {
@@ -74,18 +74,18 @@ impl<const GRADIENT: bool> ErrorPass<'_, GRADIENT> {
                                 // The sign of the residual, softened over a narrow band around 0.
                                 let width = band.mul_add(model, smallest);
                                 let sign = (model - measured[channel]) / size.max(width);
-                                push = (weight * specular[channel]).mul_add(sign, push);
+                                by_shape = (weight * specular[channel]).mul_add(sign, by_shape);
                             }
                         }
                     }
                     if GRADIENT {
-                        let pull = push * point.shape;
-                        by_eta = by_eta + pull;
-                        let pull = pull * lanes.s;
-                        by_s = pull.mul_add(point.ln, by_s);
+                        let by_ln_shape = by_shape * point.shape;
+                        by_eta = by_eta + by_ln_shape;
+                        let by_ln_base = by_ln_shape * lanes.s;
+                        by_s = by_ln_base.mul_add(point.ln, by_s);
                         // d ln(1 − v)/dα with v the versine of the base; at a base of 0 the slope has no bound.
                         let base = (splat(1.0) - point.versine).max(splat(1e-3));
-                        by_alpha = pull.mul_add((point.phong - versine4) / base, by_alpha);
+                        by_alpha = by_ln_base.mul_add((point.phong - versine4) / base, by_alpha);
                     }
                 }
                 if GRADIENT {
@@ -102,7 +102,7 @@ impl<const GRADIENT: bool> ErrorPass<'_, GRADIENT> {
     }
 }
 
-/// E of a model: one pass over everything. This is what the benchmarks call an objective pass.
+/// E of a model: one pass over all cells. This is what the benchmarks call an objective pass.
 pub fn error(
     lobe: &LobeKernel,
     cells: &SymmetricCells,
@@ -112,14 +112,15 @@ pub fn error(
     pass::<false>(lobe, cells, amplitudes, 0.0, threads).error
 }
 
-/// E with its slopes. `band` is the relative half width of residuals that count as nearly 0.
+/// E with its gradient. `band` is the half width, relative to the model, of the band in which the sign of residuals is
+/// softened.
 pub fn slopes(
     lobe: &LobeKernel,
     cells: &SymmetricCells,
     amplitudes: &Amplitudes,
     band: f64,
     threads: Threads,
-) -> Slopes {
+) -> ErrorGradient {
     pass::<true>(lobe, cells, amplitudes, band as f32, threads)
 }
 
@@ -129,7 +130,7 @@ fn pass<const GRADIENT: bool>(
     amplitudes: &Amplitudes,
     band: f32,
     threads: Threads,
-) -> Slopes {
+) -> ErrorGradient {
     let work = |slab: Range<usize>| {
         simd::dispatch(ErrorPass::<GRADIENT> {
             lobe,
@@ -139,7 +140,7 @@ fn pass<const GRADIENT: bool>(
             band,
         })
     };
-    let mut sum = Slopes::default();
+    let mut sum = ErrorGradient::default();
     over_slabs(cells, threads, work, |part| {
         sum.error += part.error;
         (0..3).for_each(|k| sum.gradient[k] += part.gradient[k]);

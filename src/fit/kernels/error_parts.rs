@@ -1,4 +1,4 @@
-//! The error in parts: per channel, and of the grazing cells.
+//! Kernel of the error per channel and of the grazing cells.
 
 use super::super::amplitudes::Amplitudes;
 use super::super::lobe_kernel::LobeKernel;
@@ -9,12 +9,12 @@ use super::rows::{ROWS_PER_SUM, RowLanes, block_of, over_slabs, per_block};
 use pulp::Simd;
 use std::ops::Range;
 
-/// Σ w |f̂ − f|, where Σ w f over all cells and channels is 1.
+/// Parts of Σ w |f̂ − f|, normalised so that Σ w f over all cells and channels is 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Parts {
-    /// Per channel.
+    /// Sum over all cells, per channel.
     pub channels: [f64; 3],
-    /// Of the grazing cells, all channels.
+    /// Sum over the grazing cells, all channels.
     pub grazing: f64,
 }
 
@@ -81,7 +81,7 @@ impl PartsPass<'_> {
     }
 }
 
-/// The parts of E of a model.
+/// Parts of E of a model: one pass over all cells.
 pub fn parts(
     lobe: &LobeKernel,
     cells: &SymmetricCells,

@@ -1,4 +1,4 @@
-//! R_F · lobe at every symmetric cell.
+//! Kernel of the specular shape R_F · lobe at every symmetric cell.
 
 use super::super::lobe_kernel::LobeKernel;
 use super::super::simd::{self, Kernel, LANES, Lanes, vectors};
@@ -8,7 +8,7 @@ use super::rows::RowLanes;
 use pulp::Simd;
 use rayon::prelude::*;
 
-/// R_F · lobe at every symmetric cell, by all threads.
+/// R_F · lobe at every symmetric cell, on all threads.
 pub fn shapes(lobe: &LobeKernel, cells: &SymmetricCells) -> Vec<f32> {
     let mut shapes = Vec::new();
     fill(lobe, cells, &mut shapes, Threads::Many);
@@ -36,7 +36,7 @@ impl Kernel for Fill<'_> {
     }
 }
 
-/// R_F · lobe at every symmetric cell, into `shapes`.
+/// Writes R_F · lobe at every symmetric cell into `shapes`.
 pub fn fill(lobe: &LobeKernel, cells: &SymmetricCells, shapes: &mut Vec<f32>, threads: Threads) {
     shapes.resize(cells.blocks * LANES, 0.0);
     let mut rest = &mut shapes[..];

@@ -1,4 +1,4 @@
-//! SIMD passes over all symmetric cells: the lobe, the error with its slopes, the sums that the regression needs.
+//! SIMD passes over all symmetric cells: the lobe, the error with its gradient, the sums of the regression.
 //!
 //! Sums are in f32 over a few rows, in f64 beyond; the parts are those of the θh slabs and are added in their order,
 //! so that the number of threads changes nothing.

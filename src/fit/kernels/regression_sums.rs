@@ -1,4 +1,4 @@
-//! The sums that the regression of stage 1 takes its steps from.
+//! Kernel of the sums from which the regression of stage 1 takes its steps.
 
 use super::super::amplitudes::Amplitudes;
 use super::super::simd::{self, Kernel, LANES, Lanes, vectors};
@@ -8,16 +8,16 @@ use super::rows::{ROWS_PER_SUM, block_of, over_slabs, per_block};
 use pulp::Simd;
 use std::ops::Range;
 
-/// What one channel's regression learns from a pass at (a, b): sums over its cells of w and x = R_F · lobe.
+/// Sums of one channel's regression at (a, b) over its cells, with w the weight and x = R_F · lobe.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ChannelSums {
     /// Σ w |r|
     pub error: f64,
-    /// Slopes of Σ w ρ(r) in a and b, where ρ is |r|, rounded off within the band.
+    /// Gradient in (a, b) of Σ w ρ(r), where ρ is |r|, rounded off within the band.
     pub slope: [f64; 2],
-    /// Second derivatives aa, ab, bb: Σ w/band over the residuals within the band.
+    /// Second derivatives (aa, ab, bb): Σ w/band over the residuals within the band.
     pub curvature: [f64; 3],
-    /// Second derivatives of a parabola that lies above everywhere: Σ w/max(|r|, band).
+    /// Second derivatives (aa, ab, bb) of a quadratic majorant: Σ w/max(|r|, band).
     pub majorant: [f64; 3],
 }
 
@@ -65,7 +65,7 @@ impl RegressionPass<'_> {
                         let weight = w1.mul_add(Lanes::new(simd, *cos2), w0);
                         let model = b.mul_add(x, a);
                         let width = band.mul_add(model, floor);
-                        let [mut push, mut inside, mut all] = [zero; 3];
+                        let [mut by_a, mut inside, mut all] = [zero; 3];
                         let values = block_of::<S, MIRRORS>(values, vector);
                         for mirror in 0..MIRRORS {
                             let plane = (3 * mirror + channel) * per_block::<S>();
@@ -75,12 +75,12 @@ impl RegressionPass<'_> {
                             let size = r.abs();
                             error = weight.mul_add(size, error);
                             let w = weight / size.max(width);
-                            push = w.mul_add(r, push);
+                            by_a = w.mul_add(r, by_a);
                             all = all + w;
                             inside = inside + w.where_le(size, width);
                         }
-                        slope[0] = slope[0] + push;
-                        slope[1] = push.mul_add(x, slope[1]);
+                        slope[0] = slope[0] + by_a;
+                        slope[1] = by_a.mul_add(x, slope[1]);
                         for (sums, w) in [(&mut curvature, inside), (&mut majorant, all)] {
                             let wx = w * x;
                             sums[0] = sums[0] + w;
@@ -99,7 +99,7 @@ impl RegressionPass<'_> {
     }
 }
 
-/// The sums of all channels at these amplitudes. A channel's band is `bands · f̂ + floor`, f̂ its model.
+/// Sums of all channels at these amplitudes. A channel's band is `bands · f̂ + floor`, f̂ its model.
 pub fn regression(
     cells: &SymmetricCells,
     shapes: &[f32],

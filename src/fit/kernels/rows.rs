@@ -1,4 +1,4 @@
-//! A row of symmetric cells, eight at a time: their lobe, their weight and where their values are.
+//! SIMD lanes along a row of symmetric cells: lobe, weight, values.
 
 use super::super::lobe_kernel::RowCoefficients;
 use super::super::simd::{LANES, Lanes};
@@ -11,10 +11,10 @@ use std::ops::Range;
 /// The largest f32 below 1.
 const BELOW_ONE: f32 = 1.0 - 0.5 * f32::EPSILON;
 
-/// Rows that are summed in f32 before they are added to the rest.
+/// Number of rows that are summed in f32 before they are added in f64.
 pub(super) const ROWS_PER_SUM: usize = 6;
 
-/// Runs `work` for every slab and folds what it returns in their order.
+/// Runs `work` for every slab and folds the results in the order of the slabs.
 pub(super) fn over_slabs<T: Send>(
     cells: &SymmetricCells,
     threads: Threads,
@@ -30,7 +30,7 @@ pub(super) fn over_slabs<T: Send>(
     }
 }
 
-/// What the lanes of a row have in common, spread over them.
+/// Coefficients of a row, each spread over all lanes.
 pub(super) struct RowLanes<S: Simd> {
     versine: [Lanes<S>; 2],
     phong: Lanes<S>,
@@ -40,7 +40,7 @@ pub(super) struct RowLanes<S: Simd> {
     weight: [Lanes<S>; 2],
 }
 
-/// The lobe at a few cells: R_F · lobe, the logarithm of its base, and the versine of wr·wo and of the base.
+/// Lobe at a vector of cells: R_F · lobe, the logarithm of its base, and the versines of wr·wo and of the base.
 pub(super) struct LobeLanes<S: Simd> {
     pub(super) shape: Lanes<S>,
     pub(super) ln: Lanes<S>,
@@ -84,13 +84,13 @@ impl<S: Simd> RowLanes<S> {
     }
 }
 
-/// Vectors per block.
+/// Number of vectors per block.
 #[inline(always)]
 pub const fn per_block<S: Simd>() -> usize {
     LANES / S::F32_LANES
 }
 
-/// The values at the cells of the `vector`-th vector of a row: every [`per_block`]-th of what is returned.
+/// Values at the cells of the `vector`-th vector of a row: every [`per_block`]-th element of what is returned.
 #[inline(always)]
 pub fn block_of<S: Simd, const MIRRORS: usize>(values: &[S::f32s], vector: usize) -> &[S::f32s] {
     let block = 3 * MIRRORS * per_block::<S>();

@@ -3,7 +3,7 @@ use crate::brdf::{BLINN_PHONG, PHONG};
 use crate::fit::options::{NO_LIMIT, Weight};
 use crate::measured::{Grid, tabulate};
 
-/// A model whose s and α are a node of every grid.
+/// Model whose s and α are a node of every grid.
 fn truth() -> Brdf {
     Brdf {
         model: model(),
@@ -23,7 +23,7 @@ fn problem(brdf: &Brdf) -> Problem {
 }
 
 fn made(problem: &Problem, fresnel: Fresnel, eta: Eta) -> Landscape {
-    let go_on = &mut |_: Update| ControlFlow::Continue(());
+    let go_on = &mut |_: LandscapeUpdate| ControlFlow::Continue(());
     landscape(problem, fresnel, eta, go_on).expect("not stopped")
 }
 
@@ -92,7 +92,7 @@ fn a_solved_eta_is_at_least_as_good_as_any_fixed_one() {
         cells: &problem.coarse,
         space: SearchSpace::new(
             Variant::from(&truth()),
-            &Options::default(),
+            &FitOptions::default(),
             problem.units(),
         ),
         eta: Eta::Fixed(eta),
@@ -119,11 +119,11 @@ fn it_comes_coarse_to_fine_and_stops_when_told() {
     let mut last = 0.0;
     let full = landscape(&problem, Fresnel::Exact, Eta::Fixed(1.6), &mut |word| {
         match word {
-            Update::Progress(share) => {
+            LandscapeUpdate::Progress(share) => {
                 assert!(share >= last && share <= 1.0);
                 last = share;
             }
-            Update::Grid(grid) => grids.push(grid),
+            LandscapeUpdate::Grid(grid) => grids.push(grid),
         }
         ControlFlow::Continue(())
     })

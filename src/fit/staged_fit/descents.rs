@@ -1,8 +1,8 @@
-//! The descents of the stages: side by side on a sample, alone on all cells.
+//! Descents of the stages: side by side on a sample, alone on all cells.
 
 use super::super::descent::{self, Rules};
 use super::super::objective::{AmplitudeRule, Candidate, Objective};
-use super::super::outcome::{Progress, Watch};
+use super::super::outcome::{FitProgress, Watch};
 use super::super::problem::Problem;
 use super::super::symmetric_cells::SymmetricCells;
 use super::super::threads::Threads;
@@ -12,7 +12,7 @@ use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use std::sync::{Mutex, PoisonError};
 
-/// How far a descent goes on some of the cells.
+/// Cells and stopping rules of a descent.
 pub(super) struct Refinement<'a> {
     cells: &'a SymmetricCells,
     threads: Threads,
@@ -21,7 +21,7 @@ pub(super) struct Refinement<'a> {
 }
 
 impl<'a> Refinement<'a> {
-    /// To sort out starts.
+    /// Descents on the small sample, which sort out starts.
     pub(super) fn coarse(problem: &'a Problem) -> Self {
         Self {
             cells: &problem.coarse,
@@ -31,7 +31,7 @@ impl<'a> Refinement<'a> {
         }
     }
 
-    /// To come near.
+    /// Descents on the larger sample.
     pub(super) fn medium(problem: &'a Problem) -> Self {
         Self {
             cells: &problem.medium,
@@ -40,7 +40,7 @@ impl<'a> Refinement<'a> {
         }
     }
 
-    /// To come near where all cells have a say, before another stage goes on.
+    /// Descent on all cells, before another stage that goes on.
     fn all(problem: &'a Problem) -> Self {
         Self {
             cells: &problem.all,
@@ -49,7 +49,7 @@ impl<'a> Refinement<'a> {
         }
     }
 
-    /// The last word.
+    /// Final descent on all cells.
     fn last(problem: &'a Problem) -> Self {
         Self {
             tolerance: 1e-5,
@@ -58,57 +58,63 @@ impl<'a> Refinement<'a> {
     }
 }
 
-/// The watcher, shared by descents side by side.
-struct Watched<'w> {
+/// Observer of a fit, shared by descents side by side.
+struct SharedWatch<'w> {
     watch: Watch<'w>,
-    shown: Option<Progress>,
+    last_report: Option<FitProgress>,
     stopped: bool,
 }
 
-impl Watched<'_> {
-    /// Tells of an evaluation, and of its model where that is better than what was shown. Returns whether to go on.
-    fn tell(&mut self, error: f64, brdf: impl FnOnce() -> Brdf) -> bool {
-        let Some(shown) = self.shown.as_mut().filter(|_| !self.stopped) else {
+impl SharedWatch<'_> {
+    /// Reports an evaluation, with its model where that is better than the last reported. Returns whether to go on.
+    fn report(&mut self, error: f64, brdf: impl FnOnce() -> Brdf) -> bool {
+        let Some(last_report) = self.last_report.as_mut().filter(|_| !self.stopped) else {
             return !self.stopped;
         };
-        shown.evaluations += 1;
-        if error < shown.error {
-            (shown.brdf, shown.error, shown.all_cells) = (brdf(), error, false);
+        last_report.evaluations += 1;
+        if error < last_report.error {
+            (last_report.brdf, last_report.error, last_report.all_cells) = (brdf(), error, false);
         }
-        self.stopped = (self.watch)(shown).is_break();
+        self.stopped = (self.watch)(last_report).is_break();
         !self.stopped
     }
 }
 
 impl<'a> StagedFit<'a, '_> {
-    /// Descents on a sample from several points, each on a thread of its own; the best end first.
+    /// Runs descents on a sample from several points, each on a thread of its own; the best end first. Starts and ends
+    /// are candidates with the approximate Hessian, if known.
     pub(super) fn descend_side_by_side(
         &mut self,
         starts: impl Iterator<Item = (Candidate, Option<DMat3>)>,
-        level: &Refinement,
-        follow: AmplitudeRule,
+        refinement: &Refinement,
+        rule: AmplitudeRule,
     ) -> Vec<(Candidate, Option<DMat3>)> {
         let starts: Vec<_> = starts.collect();
-        let rules = self.rules(level);
+        let rules = self.rules(refinement);
         let (space, options) = (&self.space, self.options);
-        let watched = Mutex::new(Watched {
+        let watched = Mutex::new(SharedWatch {
             watch: &mut *self.watch,
-            shown: self.shown,
+            last_report: self.last_report,
             stopped: self.cancelled,
         });
         let mut ends: Vec<_> = starts
             .par_iter()
             .map(|(start, curvature)| {
                 let fresnel = space.variant.fresnel;
-                let mut objective =
-                    Objective::new(level.cells, fresnel, follow, Some(start), level.threads);
+                let mut objective = Objective::new(
+                    refinement.cells,
+                    fresnel,
+                    rule,
+                    Some(start),
+                    refinement.threads,
+                );
                 let mut evaluate = |p: DVec3| {
                     let value = objective.value(p.to_array());
                     let best = objective.best?;
                     let brdf = || space.variant.with(space.params(&best, options));
                     // What another thread left is whole: a watcher that panics ends them all.
                     let mut watched = watched.lock().unwrap_or_else(PoisonError::into_inner);
-                    watched.tell(best.error, brdf).then_some(value)
+                    watched.report(best.error, brdf).then_some(value)
                 };
                 let from = DVec3::from_array(start.point);
                 let end = descent::descend(from, *curvature, &rules, &mut evaluate);
@@ -118,7 +124,7 @@ impl<'a> StagedFit<'a, '_> {
             })
             .collect();
         let watched = watched.into_inner().unwrap_or_else(PoisonError::into_inner);
-        (self.shown, self.cancelled) = (watched.shown, watched.stopped);
+        (self.last_report, self.cancelled) = (watched.last_report, watched.stopped);
         self.evaluations += ends.iter().map(|end| end.2).sum::<usize>();
         ends.sort_by(|a, b| a.0.error.total_cmp(&b.0.error));
         ends.into_iter()
@@ -126,35 +132,35 @@ impl<'a> StagedFit<'a, '_> {
             .collect()
     }
 
-    /// A descent on the larger sample and then on all cells.
-    pub(super) fn descend_levels(&mut self, start: &Candidate, follow: AmplitudeRule) -> Candidate {
+    /// Runs a descent on the larger sample and then one on all cells.
+    pub(super) fn descend_levels(&mut self, start: &Candidate, rule: AmplitudeRule) -> Candidate {
         let near = std::iter::once((*start, None));
         let alone = Refinement {
             threads: Threads::Many,
             ..Refinement::medium(self.problem)
         };
-        let ends = self.descend_side_by_side(near, &alone, follow);
+        let ends = self.descend_side_by_side(near, &alone, rule);
         match ends.first() {
-            Some((end, curvature)) if !self.cancelled => self.descend_all(end, *curvature, follow),
+            Some((end, curvature)) if !self.cancelled => self.descend_all(end, *curvature, rule),
             Some((end, _)) => *end,
             None => *start,
         }
     }
 
-    /// A descent on all cells, watched at every step.
+    /// Runs a descent on all cells, reported at every step.
     pub(super) fn descend_all(
         &mut self,
         start: &Candidate,
         curvature: Option<DMat3>,
-        follow: AmplitudeRule,
+        rule: AmplitudeRule,
     ) -> Candidate {
-        let level = if self.is_last() {
+        let refinement = if self.is_last() {
             Refinement::last(self.problem)
         } else {
             Refinement::all(self.problem)
         };
-        let rules = self.rules(&level);
-        let mut objective = self.objective(level.cells, follow, Some(start));
+        let rules = self.rules(&refinement);
+        let mut objective = self.objective(refinement.cells, rule, Some(start));
         let mut evaluate = |p: DVec3| {
             let value = objective.value(p.to_array());
             self.evaluations += 1;
@@ -175,11 +181,11 @@ impl<'a> StagedFit<'a, '_> {
         objective.best.unwrap_or(*start)
     }
 
-    fn rules(&self, level: &Refinement) -> Rules {
+    fn rules(&self, refinement: &Refinement) -> Rules {
         Rules {
             bounds: self.space.bounds,
-            tolerance: level.tolerance,
-            evaluations: level.evaluations,
+            tolerance: refinement.tolerance,
+            evaluations: refinement.evaluations,
             first_step: 0.15,
         }
     }
@@ -187,15 +193,9 @@ impl<'a> StagedFit<'a, '_> {
     pub(super) fn objective(
         &self,
         cells: &'a SymmetricCells,
-        follow: AmplitudeRule,
+        rule: AmplitudeRule,
         near: Option<&Candidate>,
     ) -> Objective<'a> {
-        Objective::new(
-            cells,
-            self.space.variant.fresnel,
-            follow,
-            near,
-            Threads::Many,
-        )
+        Objective::new(cells, self.space.variant.fresnel, rule, near, Threads::Many)
     }
 }

@@ -1,9 +1,9 @@
-//! The pipelines of lobes in space, and the picture they draw into.
+//! Pipelines of lobes in 3D, and the textures that they draw into.
 
-use super::{FlatVertex, LinePiece, SolidVertex, SpacePicture, Target};
+use super::{FlatVertex, LinePiece, PictureTarget, SolidVertex, SpacePicture};
 use crate::gpu::shader;
 
-/// Samples per pixel, which every adapter has.
+/// Samples per pixel of the multisampled textures; every adapter supports 4.
 const SAMPLES: u32 = 4;
 const COLOR: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth24Plus;
@@ -19,8 +19,8 @@ pub(super) struct Pipelines {
     blit_layout: wgpu::BindGroupLayout,
 }
 
-/// What tells the pipelines in space apart.
-struct Kind<'a> {
+/// State in which the 3D pipelines differ.
+struct PipelineKind<'a> {
     vertex: &'a str,
     fragment: &'a str,
     buffer: wgpu::VertexBufferLayout<'a>,
@@ -75,8 +75,8 @@ impl Pipelines {
         let solid = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Unorm8x4];
         let flat = wgpu::vertex_attr_array![0 => Float32x3, 1 => Unorm8x4];
         let line = wgpu::vertex_attr_array![0 => Float32x4, 1 => Float32x4, 2 => Unorm8x4];
-        let make = |kind: &Kind<'_>| in_space(device, &space, &space_layout, kind);
-        let lines = |fragment, compare| Kind {
+        let make = |kind: &PipelineKind<'_>| in_space(device, &space, &space_layout, kind);
+        let lines = |fragment, compare| PipelineKind {
             vertex: "vertex_line",
             fragment,
             buffer: rows::<LinePiece>(wgpu::VertexStepMode::Instance, &line),
@@ -85,7 +85,7 @@ impl Pipelines {
             writes_depth: false,
         };
         Self {
-            solid: make(&Kind {
+            solid: make(&PipelineKind {
                 vertex: "vertex_solid",
                 fragment: "fragment_solid",
                 buffer: rows::<SolidVertex>(wgpu::VertexStepMode::Vertex, &solid),
@@ -93,7 +93,7 @@ impl Pipelines {
                 compare: wgpu::CompareFunction::Less,
                 writes_depth: true,
             }),
-            flat: make(&Kind {
+            flat: make(&PipelineKind {
                 vertex: "vertex_flat",
                 fragment: "fragment_flat",
                 buffer: rows::<FlatVertex>(wgpu::VertexStepMode::Vertex, &flat),
@@ -117,8 +117,8 @@ impl Pipelines {
         }
     }
 
-    /// A picture to draw into.
-    pub(super) fn target(&self, device: &wgpu::Device, size_px: [u32; 2]) -> Target {
+    /// Textures of this size to draw into.
+    pub(super) fn target(&self, device: &wgpu::Device, size_px: [u32; 2]) -> PictureTarget {
         let texture = |format, sample_count, usage| {
             let texture = device.create_texture(&wgpu::TextureDescriptor {
                 label: Some("lobe3d"),
@@ -145,7 +145,7 @@ impl Pipelines {
                 resource: wgpu::BindingResource::TextureView(&smoothed),
             }],
         });
-        Target {
+        PictureTarget {
             size_px,
             color: texture(COLOR, SAMPLES, wgpu::TextureUsages::empty()),
             smoothed,
@@ -158,7 +158,7 @@ impl Pipelines {
         &self,
         encoder: &mut wgpu::CommandEncoder,
         picture: &SpacePicture,
-        target: &Target,
+        target: &PictureTarget,
     ) {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("lobe3d"),
@@ -219,7 +219,7 @@ fn in_space(
     device: &wgpu::Device,
     module: &wgpu::ShaderModule,
     layout: &wgpu::BindGroupLayout,
-    kind: &Kind<'_>,
+    kind: &PipelineKind<'_>,
 ) -> wgpu::RenderPipeline {
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some("lobe3d"),

@@ -2,7 +2,7 @@ use super::*;
 use crate::brdf::{self, Brdf, Fresnel, Model, Params};
 use crate::measured::{Grid, lookup::LOOKUPS};
 
-/// A table of f_r at the centres of all cells; invalid where it has none.
+/// Table of f_r at the centres of all cells; invalid where f_r has no value.
 fn table(f_r: impl Fn(&crate::geom::HalfDiff) -> Option<Rgb>) -> Table {
     let grid = Grid::FOLDED;
     let cells = (0..grid.len()).map(|index| {

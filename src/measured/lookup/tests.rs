@@ -3,7 +3,7 @@ use crate::geom::direction;
 use crate::measured::Grid;
 use std::f64::consts::FRAC_PI_2;
 
-/// A table of a function of the bins.
+/// Table of a function of the bins; its double and triple in green and blue.
 fn table(grid: Grid, f: impl Fn(usize, usize, usize) -> f64) -> Table {
     let cells = (0..grid.len())
         .map(|index| {
@@ -15,7 +15,7 @@ fn table(grid: Grid, f: impl Fn(usize, usize, usize) -> f64) -> Table {
     Table::new(grid, cells)
 }
 
-/// The angles at given bin coordinates.
+/// Angles at given bin coordinates.
 fn angles(h: f64, d: f64, phi: f64) -> HalfDiff {
     HalfDiff {
         theta_h: (h / 90.0).powi(2) * FRAC_PI_2,

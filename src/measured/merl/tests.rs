@@ -1,7 +1,7 @@
 use super::*;
 use crate::measured::Grid;
 
-/// The bytes of a file, made by hand: dimensions, then each plane filled with one number.
+/// Bytes of a MERL file: dimensions, then each plane filled with one number.
 fn file(bins: [i32; 3], cells: usize, planes: [f64; 3]) -> Vec<u8> {
     let mut bytes: Vec<u8> = bins.iter().flat_map(|n| n.to_le_bytes()).collect();
     for stored in planes {
@@ -10,7 +10,7 @@ fn file(bins: [i32; 3], cells: usize, planes: [f64; 3]) -> Vec<u8> {
     bytes
 }
 
-/// Overwrites the number of a channel in a cell of a folded file.
+/// Overwrites the stored value of a channel in a cell of a folded file.
 fn plant(bytes: &mut [u8], channel: usize, cell: usize, stored: f64) {
     let at = 12 + 8 * (channel * 1_458_000 + cell);
     bytes[at..at + 8].copy_from_slice(&stored.to_le_bytes());

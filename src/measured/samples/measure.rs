@@ -1,25 +1,25 @@
-//! A synthetic measurement: a recipe on the MERL grid, with noise and with gaps at the horizon.
+//! Synthetic measurement of a sample material on the MERL grid, with noise and with gaps at the horizon.
 
-use super::Sample;
-use super::surface::ground;
+use super::SyntheticMaterial;
+use super::surface::diffuse_ground;
 use crate::geom::Rgb;
 use crate::measured::{Grid, Table};
 
 /// Relative standard deviation of the noise that the channels share, well above the horizon.
 const NOISE: f64 = 0.025;
-/// The same of each channel's own noise.
+/// Relative standard deviation of each channel's own noise, well above the horizon.
 const CHANNEL_NOISE: f64 = 0.008;
-/// At the horizon the noise is this many times larger.
+/// Factor on the noise at the horizon.
 const NOISE_AT_HORIZON: f64 = 4.0;
-/// Cosines are not taken below this: cells that the horizon cuts through have finite values.
+/// Smallest cosine at which f_r is evaluated: cells that the horizon cuts through have finite values.
 const SMALLEST_COSINE: f64 = 0.02;
-/// The gap begins where the smaller cosine is below this, give or take [`RAGGED`]. The validity of the MERL files
-/// begins 3.5° below the horizon; 21 % of their cells are invalid.
+/// Smaller cosine below which cells are gaps, give or take [`RAGGED`]. The validity of the MERL files begins 3.5° below
+/// the horizon; 21 % of their cells are invalid.
 const GAP: f64 = -0.061;
-/// How ragged the edge of the gap is: some cells above the horizon are lost.
+/// Largest deviation of the gap's edge, as a cosine, by row and again by cell: some cells above the horizon are lost.
 const RAGGED: f64 = 0.045;
 
-pub fn measure(sample: &Sample) -> Table {
+pub fn measure(sample: &SyntheticMaterial) -> Table {
     let grid = Grid::FOLDED;
     let mut cells = vec![[-1.0_f32; 3]; grid.len()];
     let bins = grid.phi_d_bins();
@@ -56,17 +56,17 @@ pub fn measure(sample: &Sample) -> Table {
                         cos_theta_o.max(SMALLEST_COSINE),
                     )
                 });
-                cells[phi] = noise.spoil(f_r, lower.max(0.0));
+                cells[phi] = noise.apply(f_r, lower.max(0.0));
             }
         }
     }
     Table::new(grid, cells)
 }
 
-/// f_r before it is measured.
-fn exact(sample: &Sample, lobes: &[Rgb], cos_theta_i: f64, cos_theta_o: f64) -> Rgb {
-    let ground = ground(sample.coat, cos_theta_i, cos_theta_o);
-    let mut f_r = sample.albedo.map(|albedo| albedo * ground);
+/// f_r in 1/sr before noise, linear RGB.
+fn exact(sample: &SyntheticMaterial, lobes: &[Rgb], cos_theta_i: f64, cos_theta_o: f64) -> Rgb {
+    let diffuse_ground = diffuse_ground(sample.coat, cos_theta_i, cos_theta_o);
+    let mut f_r = sample.albedo.map(|albedo| albedo * diffuse_ground);
     for ((_, lobe), of_angles) in sample.lobes.iter().zip(lobes) {
         let of_cosines = lobe.of_cosines(cos_theta_i, cos_theta_o);
         for (f_r, of_angles) in f_r.iter_mut().zip(of_angles) {
@@ -76,11 +76,11 @@ fn exact(sample: &Sample, lobes: &[Rgb], cos_theta_i: f64, cos_theta_o: f64) -> 
     f_r
 }
 
-/// What chance adds to one cell.
+/// Random numbers of one cell.
 struct Noise {
     shared: f64,
     own: Rgb,
-    /// In [−1, 1].
+    /// Deviation of the gap's edge in units of [`RAGGED`], in [−1, 1].
     edge: f64,
 }
 
@@ -95,8 +95,8 @@ impl Noise {
         }
     }
 
-    /// Multiplies, so that nothing becomes negative: both parts are bounded.
-    fn spoil(&self, f_r: Rgb, lower_cosine: f64) -> [f32; 3] {
+    /// f_r with noise. The noise multiplies and is bounded, so that nothing becomes negative.
+    fn apply(&self, f_r: Rgb, lower_cosine: f64) -> [f32; 3] {
         let grazing = (1.0 - lower_cosine).powi(8);
         let amount = 1.0 + (NOISE_AT_HORIZON - 1.0) * grazing;
         std::array::from_fn(|k| {
@@ -106,7 +106,7 @@ impl Noise {
     }
 }
 
-/// A number that looks like chance: SplitMix64 [Steele14] at a place in its sequence.
+/// Pseudo-random bits: SplitMix64 [Steele14] at a position of its sequence.
 fn hash(seed: u64, place: u64) -> u64 {
     const STEP: u64 = 0x9e37_79b9_7f4a_7c15;
     let mut x = seed
@@ -117,12 +117,12 @@ fn hash(seed: u64, place: u64) -> u64 {
     x ^ (x >> 31)
 }
 
-/// The upper 16 bits as a number in [−1, 1].
+/// Upper 16 bits as a number in [−1, 1].
 fn signed(bits: u64) -> f64 {
     (bits >> 48) as f64 / 32_767.5 - 1.0
 }
 
-/// Nearly a standard normal, within ±3.5: the sum of four even ones.
+/// Approximately standard normal number, within ±3.5: the sum of four uniform ones.
 fn bell(bits: u64) -> f64 {
     let sum: f64 = (0..4).map(|k| signed(bits << (16 * k))).sum();
     sum * 0.75_f64.sqrt()

@@ -1,4 +1,4 @@
-//! What the synthetic materials are made of: f_r of scattering lobes and of what lies below the interface.
+//! f_r of the synthetic materials: of scattering lobes and of the diffuse ground below the interface.
 //!
 //! All are even in φ_d about 90° and reciprocal. A lobe is a factor of (θ_h, θ_d), by channel, times a factor of
 //! (cos θ_i, cos θ_o): whole rows of the grid share the first.
@@ -6,7 +6,7 @@
 use crate::geom::Rgb;
 use std::f64::consts::PI;
 
-/// Complex index of refraction η + iκ by channel.
+/// Complex index of refraction η + iκ, by channel.
 #[derive(Clone, Copy, Debug)]
 pub struct Interface {
     eta: Rgb,
@@ -19,7 +19,7 @@ pub const GOLD: Interface = Interface {
     kappa: [3.983, 2.386, 1.603],
 };
 
-/// A clear medium.
+/// Interface to a clear medium of index `eta`.
 pub const fn dielectric(eta: f64) -> Interface {
     Interface {
         eta: [eta; 3],
@@ -28,7 +28,7 @@ pub const fn dielectric(eta: f64) -> Interface {
 }
 
 impl Interface {
-    /// Fresnel reflectance of unpolarised light by channel.
+    /// Fresnel reflectance of unpolarised light, by channel.
     pub fn reflectance(&self, cos_theta: f64) -> Rgb {
         let first = fresnel(cos_theta, self.eta[0], self.kappa[0]);
         let same = |k: usize| self.eta[k] == self.eta[0] && self.kappa[k] == self.kappa[0];
@@ -42,26 +42,26 @@ impl Interface {
     }
 }
 
-/// How the slopes of facets are spread.
+/// Distribution of facet slopes.
 #[derive(Clone, Copy, Debug)]
-pub enum Slopes {
-    /// Gaussian [CookTorrance82].
+pub enum SlopeDistribution {
+    /// Beckmann: Gaussian [CookTorrance82].
     Beckmann,
-    /// With long tails [Walter07].
+    /// GGX, with long tails [Walter07].
     Ggx,
 }
 
-/// Something that scatters light at the surface.
+/// Scattering lobe of the surface.
 #[derive(Clone, Copy, Debug)]
-pub enum Lobe {
+pub enum SurfaceLobe {
     /// Mirror facets with exact Fresnel reflectance and Smith's masking and shadowing, correlated by height
     /// [Walter07, Heitz14]. A function of wh: condensed at grazing angles.
     Facets {
-        /// Spread of their slopes.
-        slopes: Slopes,
-        /// Width of the spread.
+        /// Distribution of the facets' slopes.
+        slopes: SlopeDistribution,
+        /// Roughness: width of the distribution.
         roughness: f64,
-        /// What they are made of.
+        /// Index of refraction of the facets.
         interface: Interface,
     },
     /// A clear surface (η = 1.5) that is rough on the scale of the wavelength only. It diffracts by the difference of
@@ -73,15 +73,15 @@ pub enum Lobe {
     /// A thin layer of loose fibres above the surface: single scattering [HanrahanKrueger93] with the phase function
     /// of Henyey and Greenstein.
     Fibers {
-        /// Mean cosine of the scattering angle: forward > 0.
+        /// Mean cosine of the scattering angle; > 0 is forward.
         anisotropy: f64,
-        /// Optical depth.
+        /// Optical depth of the layer.
         depth: f64,
     },
 }
 
-impl Lobe {
-    /// The factor of θ_h and θ_d.
+impl SurfaceLobe {
+    /// Factor of f_r in θ_h and θ_d (radians), by channel.
     pub fn of_angles(&self, theta_h: f64, theta_d: f64) -> Rgb {
         let cos_theta_d = theta_d.cos();
         match *self {
@@ -111,7 +111,7 @@ impl Lobe {
         }
     }
 
-    /// The factor of cos θ_i and cos θ_o, both > 0.
+    /// Factor of f_r in cos θ_i and cos θ_o, both > 0.
     pub fn of_cosines(&self, cos_theta_i: f64, cos_theta_o: f64) -> f64 {
         match *self {
             Self::Facets {
@@ -130,7 +130,7 @@ impl Lobe {
     }
 }
 
-impl Slopes {
+impl SlopeDistribution {
     /// Density D(θ_h) of facet normals in 1/sr.
     fn density(self, theta_h: f64, roughness: f64) -> f64 {
         let (cos2, m2) = (theta_h.cos().powi(2), roughness * roughness);
@@ -140,7 +140,7 @@ impl Slopes {
         }
     }
 
-    /// Smith's Λ: hidden per visible area of facets.
+    /// Smith's Λ: hidden area per visible area of facets.
     fn lambda(self, cos_theta: f64, roughness: f64) -> f64 {
         let tan2 = 1.0 / (cos_theta * cos_theta) - 1.0;
         match self {
@@ -158,13 +158,13 @@ impl Slopes {
     }
 }
 
-/// f_r per albedo of a diffuse ground below a coat: light is refracted in and out.
-pub fn ground(coat: Interface, cos_theta_i: f64, cos_theta_o: f64) -> f64 {
+/// f_r per albedo of a diffuse ground below an interface, in 1/sr: light is refracted in and out.
+pub fn diffuse_ground(coat: Interface, cos_theta_i: f64, cos_theta_o: f64) -> f64 {
     let enters = |cos| 1.0 - fresnel(cos, coat.eta[0], 0.0);
     enters(cos_theta_i) * enters(cos_theta_o) / (PI * enters(COS_45).powi(2))
 }
 
-/// Where a diffuse ground keeps its albedo: 45°.
+/// Cosine at which a diffuse ground keeps its albedo: of 45°.
 const COS_45: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// Fresnel's equations for light on a medium η + iκ, averaged over polarisation.
@@ -200,7 +200,7 @@ mod tests {
 
     #[test]
     fn facets_cover_the_ground_once() {
-        for slopes in [Slopes::Beckmann, Slopes::Ggx] {
+        for slopes in [SlopeDistribution::Beckmann, SlopeDistribution::Ggx] {
             let steps = 20_000;
             let step = 0.5 * PI / f64::from(steps);
             let covered: f64 = (0..steps)

@@ -8,11 +8,11 @@ fn samples_are_named_as_synthetic_and_found_by_key() {
     for sample in &SAMPLES {
         assert!(sample.name.ends_with("(synthetic)"));
         assert!(std::ptr::eq(
-            Sample::by_key(sample.key).expect("its own key"),
+            SyntheticMaterial::by_key(sample.key).expect("its own key"),
             sample
         ));
     }
-    assert!(Sample::by_key("chrome").is_none());
+    assert!(SyntheticMaterial::by_key("chrome").is_none());
 }
 
 #[test]
@@ -69,7 +69,7 @@ fn no_sample_reflects_more_than_it_gets() {
     }
 }
 
-/// The poster's observations: which α of the combined model fits best.
+/// Checks the poster's observations: which α of the combined model fits best.
 #[test]
 fn the_samples_are_phong_like_blinn_phong_like_and_between() {
     for (key, expected) in [
@@ -77,7 +77,9 @@ fn the_samples_are_phong_like_blinn_phong_like_and_between() {
         ("copper-glaze", 0.35..0.65),
         ("hammered-gold", 0.65..1.01),
     ] {
-        let table = Sample::by_key(key).expect("a sample").synthesize();
+        let table = SyntheticMaterial::by_key(key)
+            .expect("a sample")
+            .synthesize();
         let fits = fits(&table);
         let (error, alpha) = best(&fits, |_| true);
         let (phong, _) = best(&fits, |alpha| alpha == 0.0);
@@ -103,7 +105,8 @@ fn best(fits: &[(f64, f64)], wanted: impl Fn(f64) -> bool) -> (f64, f64) {
         .expect("some fits")
 }
 
-/// (error, α) of the combined model with exact Fresnel factor on a coarse grid of s, α and η, for the green channel of some of the cells.
+/// (error, α) of the combined model with exact Fresnel factor on a coarse grid of s, α and η, for the green channel of
+/// a sample of the cells.
 fn fits(table: &Table) -> Vec<(f64, f64)> {
     let picked: Vec<(Cosines, f64, f64)> = (0..table.cells().len())
         .filter(|index| {

@@ -2,7 +2,9 @@
 
 use super::making::{bounds, distance, fit, map, problem, sample, thinned, variant, watched};
 use grazing::brdf::{Brdf, Fresnel, ParamId};
-use grazing::fit::{self, Concern, Ended, Options, Outcome, Partial, Variant};
+use grazing::fit::{
+    self, Concern, EndReason, FitOptions, Outcome, Partial, Stage, StageSet, Variant,
+};
 use grazing::measured::{Grid, Table};
 use std::ops::ControlFlow;
 
@@ -15,7 +17,7 @@ fn with_threads(count: usize, table: &Table) -> Outcome {
         .num_threads(count)
         .build()
         .expect("a pool");
-    pool.install(|| fit(&problem(table), combined(), &Options::default()))
+    pool.install(|| fit(&problem(table), combined(), &FitOptions::default()))
 }
 
 #[test]
@@ -44,7 +46,7 @@ fn with_amplitudes_times(brdf: &Brdf, factor: f64) -> Brdf {
 #[test]
 fn brighter_data_give_a_brighter_model_of_the_same_shape() {
     let table = thinned(sample("hammered-gold"), 8);
-    let of = |table: &Table| fit(&problem(table), combined(), &Options::default());
+    let of = |table: &Table| fit(&problem(table), combined(), &FitOptions::default());
     let plain = of(&table);
     for factor in [4.0, 0.0625] {
         let scaled = of(&scaled(&table, factor));
@@ -77,7 +79,7 @@ fn the_whole_turn_gives_the_same_fit_as_half_of_it() {
     });
     let whole = Table::new(full, cells.collect());
     assert_eq!(whole.valid_count(), 2 * half.valid_count());
-    let of = |table: &Table| fit(&problem(table), combined(), &Options::default());
+    let of = |table: &Table| fit(&problem(table), combined(), &FitOptions::default());
     let (one, other) = (of(&half), of(&whole));
     let ratio = other.errors.total / one.errors.total;
     // Sums are rounded in another order, and a descent ends where a step promises less than 1e-5.
@@ -92,7 +94,7 @@ fn the_whole_turn_gives_the_same_fit_as_half_of_it() {
 #[test]
 fn held_parameters_stay() {
     let problem = problem(&thinned(sample("copper-glaze"), 8));
-    let free = fit(&problem, combined(), &Options::default());
+    let free = fit(&problem, combined(), &FitOptions::default());
     for held in [
         Partial {
             s: Some(33.0),
@@ -116,9 +118,9 @@ fn held_parameters_stay() {
             eta: Some(1.5),
         },
     ] {
-        let options = Options {
+        let options = FitOptions {
             held,
-            ..Options::default()
+            ..FitOptions::default()
         };
         let (outcome, said) = watched(&problem, combined(), &options);
         let keeps = |brdf: &Brdf| held.over(brdf.params) == brdf.params;
@@ -137,7 +139,7 @@ fn held_parameters_stay() {
 #[test]
 fn bounds_are_kept_and_named_where_they_stop_the_fit() {
     let problem = problem(&thinned(sample("copper-glaze"), 8));
-    let free = fit(&problem, combined(), &Options::default());
+    let free = fit(&problem, combined(), &FitOptions::default());
     // Every bound cuts off where the free fit went.
     let p = free.brdf.params;
     let set = [
@@ -145,9 +147,9 @@ fn bounds_are_kept_and_named_where_they_stop_the_fit() {
         (ParamId::S, (1.5 * p.s, 3.0 * p.s)),
         (ParamId::Eta, (p.eta + 0.3, p.eta + 0.5)),
     ];
-    let options = Options {
+    let options = FitOptions {
         bounds: bounds(&set),
-        ..Options::default()
+        ..FitOptions::default()
     };
     let keeps = |brdf: &Brdf| {
         set.iter().all(|(id, (low, high))| {
@@ -181,18 +183,23 @@ fn bounds_are_kept_and_named_where_they_stop_the_fit() {
 #[test]
 fn a_cancelled_fit_keeps_the_best_so_far() {
     let problem = problem(&thinned(sample("copper-glaze"), 4));
-    let whole = fit(&problem, combined(), &Options::default());
+    let whole = fit(&problem, combined(), &FitOptions::default());
     for calls in [1, 2, 7] {
         let mut said = Vec::new();
-        let outcome = fit::fit(&problem, combined(), &Options::default(), &mut |progress| {
-            said.push(*progress);
-            if said.len() == calls {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            }
-        });
-        assert_eq!(outcome.ended, Ended::Cancelled);
+        let outcome = fit::fit(
+            &problem,
+            combined(),
+            &FitOptions::default(),
+            &mut |progress| {
+                said.push(*progress);
+                if said.len() == calls {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
+                }
+            },
+        );
+        assert_eq!(outcome.ended, EndReason::Cancelled);
         assert_eq!(said.len(), calls, "watched after it was stopped");
         assert_eq!(problem.errors(&outcome.brdf), outcome.errors);
         let best = said
@@ -207,16 +214,16 @@ fn a_cancelled_fit_keeps_the_best_so_far() {
         // Not the whole fit after all.
         assert!(outcome.evaluations < whole.evaluations);
     }
-    assert_eq!(whole.ended, Ended::Converged);
+    assert_eq!(whole.ended, EndReason::Converged);
 }
 
 #[test]
 fn every_shape_that_is_tried_is_a_chance_to_stop() {
     let problem = problem(&thinned(sample("copper-glaze"), 8));
     let phong = variant("phong", Fresnel::Exact);
-    let options = Options {
-        stages: [false, false, false, true],
-        ..Options::default()
+    let options = FitOptions {
+        stages: StageSet::from_iter([Stage::Joint]),
+        ..FitOptions::default()
     };
     let (whole, said) = watched(&problem, phong, &options);
     let chances = |said: &[usize]| said.windows(2).all(|pair| pair[1] <= pair[0] + 1);
@@ -235,7 +242,7 @@ fn every_shape_that_is_tried_is_a_chance_to_stop() {
                 ControlFlow::Continue(())
             }
         });
-        assert_eq!((outcome.ended, count), (Ended::Cancelled, calls));
+        assert_eq!((outcome.ended, count), (EndReason::Cancelled, calls));
         assert_eq!(problem.errors(&outcome.brdf), outcome.errors);
     }
 }
@@ -245,7 +252,7 @@ fn cancelling_several_returns_those_so_far() {
     let problem = problem(&thinned(sample("copper-glaze"), 8));
     let variants = Variant::all(Fresnel::Exact);
     let mut positions = Vec::new();
-    let outcomes = fit::fit_all(&problem, &variants, &Options::default(), &mut |at, _| {
+    let outcomes = fit::fit_all(&problem, &variants, &FitOptions::default(), &mut |at, _| {
         positions.push(at);
         if at == 1 {
             ControlFlow::Break(())
@@ -256,8 +263,8 @@ fn cancelling_several_returns_those_so_far() {
     positions.dedup();
     assert_eq!(positions, [0, 1]);
     assert_eq!(outcomes.len(), 2);
-    assert_eq!(outcomes[0].ended, Ended::Converged);
-    assert_eq!(outcomes[1].ended, Ended::Cancelled);
+    assert_eq!(outcomes[0].ended, EndReason::Converged);
+    assert_eq!(outcomes[1].ended, EndReason::Cancelled);
     for (outcome, variant) in outcomes.iter().zip(variants) {
         assert_eq!(Variant::from(&outcome.brdf), variant);
     }

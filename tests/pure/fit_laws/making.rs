@@ -1,10 +1,10 @@
 //! Tables, models and fits for the tests.
 
 pub use crate::common::tables::table;
-use grazing::brdf::{Brdf, Fresnel, Model, ParamId, Params};
-use grazing::fit::options::NO_LIMIT;
-use grazing::fit::{self, Options, Outcome, Problem, Progress, Variant, Weight};
-use grazing::measured::{Grid, SAMPLES, Sample, Table};
+use grazing::brdf::{Brdf, Fresnel, Model, ParamId, Params, PerParam};
+use grazing::fit::options::{Bounds, NO_LIMIT};
+use grazing::fit::{self, FitOptions, FitProgress, Outcome, Problem, Variant, Weight};
+use grazing::measured::{Grid, SAMPLES, SyntheticMaterial, Table};
 use std::ops::ControlFlow;
 use std::sync::OnceLock;
 
@@ -13,7 +13,7 @@ pub fn sample(key: &str) -> &'static Table {
     static TABLES: [OnceLock<Table>; SAMPLES.len()] = [const { OnceLock::new() }; SAMPLES.len()];
     let position = SAMPLES.iter().position(|sample| sample.key == key);
     let position = position.expect("a sample of this name");
-    TABLES[position].get_or_init(|| Sample::synthesize(&SAMPLES[position]))
+    TABLES[position].get_or_init(|| SyntheticMaterial::synthesize(&SAMPLES[position]))
 }
 
 pub fn variant(key: &str, fresnel: Fresnel) -> Variant {
@@ -86,7 +86,7 @@ pub fn problem(table: &Table) -> Problem {
 }
 
 /// A fit that nobody watches.
-pub fn fit(problem: &Problem, variant: Variant, options: &Options) -> Outcome {
+pub fn fit(problem: &Problem, variant: Variant, options: &FitOptions) -> Outcome {
     fit::fit(
         problem,
         variant,
@@ -96,7 +96,11 @@ pub fn fit(problem: &Problem, variant: Variant, options: &Options) -> Outcome {
 }
 
 /// A fit with all that it said.
-pub fn watched(problem: &Problem, variant: Variant, options: &Options) -> (Outcome, Vec<Progress>) {
+pub fn watched(
+    problem: &Problem,
+    variant: Variant,
+    options: &FitOptions,
+) -> (Outcome, Vec<FitProgress>) {
     let mut said = Vec::new();
     let outcome = fit::fit(problem, variant, options, &mut |progress| {
         said.push(*progress);
@@ -106,8 +110,8 @@ pub fn watched(problem: &Problem, variant: Variant, options: &Options) -> (Outco
 }
 
 /// Bounds by parameter.
-pub fn bounds(of: &[(ParamId, (f64, f64))]) -> [Option<(f64, f64)>; 5] {
-    grazing::brdf::params::ALL.map(|row| {
+pub fn bounds(of: &[(ParamId, Bounds)]) -> PerParam<Option<Bounds>> {
+    PerParam::from_rows(|row| {
         let set = of.iter().find(|(id, _)| *id == row.id);
         set.map(|(_, bounds)| *bounds)
     })

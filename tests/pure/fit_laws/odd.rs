@@ -3,7 +3,7 @@
 use super::making::{chance, fit, kept, problem, table, variant};
 use grazing::brdf::Fresnel;
 use grazing::fit::options::default_bounds;
-use grazing::fit::{Options, Outcome};
+use grazing::fit::{FitOptions, Outcome};
 use grazing::geom::{Cosines, Rgb};
 use grazing::measured::{Grid, Table};
 
@@ -57,7 +57,7 @@ fn check(name: &str, table: &Table, black: [bool; 3]) {
         variant("phong", Fresnel::None),
         variant("combined", Fresnel::Exact),
     ] {
-        let outcome = fit(&problem, variant, &Options::default());
+        let outcome = fit(&problem, variant, &FitOptions::default());
         let unsound = unsound(&outcome, black);
         assert!(unsound.is_empty(), "{name}: {unsound:?} {outcome:?}");
     }
@@ -95,7 +95,7 @@ fn hardly_any_cells() {
             let outcome = fit(
                 &problem(&few),
                 variant("phong", Fresnel::None),
-                &Options::default(),
+                &FitOptions::default(),
             );
             assert!(outcome.errors.total < 1e-5, "{name}: {outcome:?}");
         }
@@ -189,7 +189,7 @@ fn a_planted_unsound_outcome_is_caught() {
     let sound = fit(
         &problem(&sparse(|_, c| Some([highlight(c); 3]))),
         variant("phong", Fresnel::None),
-        &Options::default(),
+        &FitOptions::default(),
     );
     let caught = |change: &dyn Fn(&mut Outcome)| {
         let mut outcome = sound.clone();

@@ -2,8 +2,8 @@
 
 use super::making::{bell, distance, fit, kept, problem, table, table_of, variant};
 use grazing::brdf::fresnel::FRESNELS;
-use grazing::brdf::{Brdf, Fresnel, ParamId, Params, params};
-use grazing::fit::Options;
+use grazing::brdf::{Brdf, Fresnel, ParamId, Params};
+use grazing::fit::FitOptions;
 use grazing::measured::Grid;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
@@ -47,7 +47,7 @@ proptest! {
     #[test]
     fn exactly_without_noise(truth in truth(0.0..3.5)) {
         let table = table_of(&truth, 8);
-        let outcome = fit(&problem(&table), (&truth).into(), &Options::default());
+        let outcome = fit(&problem(&table), (&truth).into(), &FitOptions::default());
         let off = distance(&outcome.brdf, &truth);
         prop_assert!(off < 1e-3, "off by {}: {:?} from {:?}", off, outcome, truth);
     }
@@ -62,7 +62,7 @@ proptest! {
             let noise = |k: u64| 1.0 + 0.05 * bell(3 * index as u64 + k);
             Some(std::array::from_fn(|k| f_r[k] * noise(k as u64)))
         });
-        let outcome = fit(&problem(&noisy), (&truth).into(), &Options::default());
+        let outcome = fit(&problem(&noisy), (&truth).into(), &FitOptions::default());
         let off = distance(&outcome.brdf, &truth);
         prop_assert!(off < 0.01, "off by {}: {:?} from {:?}", off, outcome, truth);
         // The noise is there: |0.05 N(0, 1)| is 0.04 on average.
@@ -86,7 +86,7 @@ fn needles_and_matte_lobes_come_back_too() {
         let outcome = fit(
             &problem(&table_of(&truth, 4)),
             (&truth).into(),
-            &Options::default(),
+            &FitOptions::default(),
         );
         let off = distance(&outcome.brdf, &truth);
         assert!(off < 1e-3, "off by {off}: {outcome:?} from {truth:?}");
@@ -132,14 +132,13 @@ fn a_lobe_with_hardly_any_exponent() {
         eta: 1.6,
     });
     let problem = problem(&table_of(&truth, 8));
-    let outcome = fit(&problem, (&truth).into(), &Options::default());
+    let outcome = fit(&problem, (&truth).into(), &FitOptions::default());
     // Along the valley in which ρd, α and η make up for one another E is below a thousandth.
     let found = outcome.errors.total;
     assert!(found < 1e-3, "{outcome:?}");
     // Planted: a bound of 0.1, which matte materials pass.
-    let mut options = Options::default();
-    let row = params::ALL.iter().position(|row| row.id == ParamId::S);
-    options.bounds[row.expect("a row")] = Some((0.1, 1e5));
+    let mut options = FitOptions::default();
+    options.bounds.s = Some((0.1, 1e5));
     let bounded = fit(&problem, (&truth).into(), &options);
     let bounded = bounded.errors.total;
     assert!(bounded > 3.0 * found, "{bounded} {found}");

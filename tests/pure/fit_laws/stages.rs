@@ -3,7 +3,9 @@
 use super::making::{fit, problem, sample, thinned, variant, watched};
 use grazing::brdf::Fresnel;
 use grazing::fit::options::default_bounds;
-use grazing::fit::{Ended, Options, Outcome, Partial, Problem, STAGES, Stage, Variant, fit_all};
+use grazing::fit::{
+    EndReason, FitOptions, Outcome, Partial, Problem, STAGES, Stage, StageSet, Variant, fit_all,
+};
 use std::ops::ControlFlow;
 
 /// What a number may differ by for rounding alone.
@@ -70,7 +72,7 @@ fn broken(problem: &Problem, outcome: &Outcome) -> Vec<String> {
         "errors of another model".into(),
     );
     law(
-        outcome.ended == Ended::Converged,
+        outcome.ended == EndReason::Converged,
         format!("{:?}", outcome.ended),
     );
     law(
@@ -95,7 +97,7 @@ fn combined_to_others(outcomes: &[Outcome], fresnel: Fresnel) -> f64 {
 fn all_six_keep_the_laws() {
     let problem = problem(sample("copper-glaze"));
     let variants = Variant::all(Fresnel::Exact);
-    let outcomes = fit_all(&problem, &variants, &Options::default(), &mut |_, _| {
+    let outcomes = fit_all(&problem, &variants, &FitOptions::default(), &mut |_, _| {
         ControlFlow::Continue(())
     });
     assert_eq!(outcomes.len(), variants.len());
@@ -146,7 +148,7 @@ fn fitted_alone_the_combined_model_is_no_worse_than_those_it_contains() {
         ("blue-porcelain", Fresnel::Exact),
     ] {
         let problem = problem(&thinned(sample(key), 4));
-        let alone = |model| fit(&problem, variant(model, fresnel), &Options::default());
+        let alone = |model| fit(&problem, variant(model, fresnel), &FitOptions::default());
         let outcomes = ["phong", "blinn-phong", "combined"].map(alone);
         for outcome in &outcomes {
             let broken = broken(&problem, outcome);
@@ -162,12 +164,12 @@ fn only_the_stages_asked_for_are_run() {
     let problem = problem(&thinned(sample("hammered-gold"), 10));
     let combined = variant("combined", Fresnel::Exact);
     for stages in [
-        [true, false, false, false],
-        [false, true, false, false],
-        [true, true, true, false],
-        [false, false, false, true],
+        StageSet::from_iter([Stage::Amplitudes]),
+        StageSet::from_iter([Stage::Shape]),
+        StageSet::POSTER,
+        StageSet::from_iter([Stage::Joint]),
     ] {
-        let options = Options {
+        let options = FitOptions {
             stages,
             start: Partial {
                 s: Some(300.0),
@@ -175,7 +177,7 @@ fn only_the_stages_asked_for_are_run() {
                 eta: Some(2.0),
                 ..Partial::default()
             },
-            ..Options::default()
+            ..FitOptions::default()
         };
         let (outcome, said) = watched(&problem, combined, &options);
         let asked: Vec<Stage> = STAGES.into_iter().filter(|s| options.runs(*s)).collect();
@@ -213,14 +215,14 @@ fn the_start_does_not_decide_the_result() {
             eta: Some(eta),
             ..Partial::default()
         };
-        let options = Options {
+        let options = FitOptions {
             start,
-            ..Options::default()
+            ..FitOptions::default()
         };
         fit(&problem, combined, &options)
     };
     let outcomes = [from(0.1, 1.0, 1.01), from(9e4, 0.0, 900.0)];
-    let free = fit(&problem, combined, &Options::default());
+    let free = fit(&problem, combined, &FitOptions::default());
     for outcome in &outcomes {
         let ratio = outcome.errors.total / free.errors.total;
         assert!((ratio - 1.0).abs() < 2e-4, "{ratio}: {outcome:?} {free:?}");

@@ -4,7 +4,7 @@ use crate::app::state::fitting::settings::Setup;
 use crate::brdf::Fresnel;
 use crate::files::SourceFile;
 use crate::files::fits::FitRecord;
-use crate::fit::{Ended, Outcome, Progress, StageReport, Variant, diagnostics};
+use crate::fit::{EndReason, FitProgress, Outcome, StageReport, Variant, diagnostics};
 use crate::geom::degrees;
 use serde::{Deserialize, Serialize};
 
@@ -18,7 +18,7 @@ pub struct KeptFit {
     /// How long it took; `None` where nobody knows.
     pub seconds: Option<f64>,
     /// All that it said while it ran; may be empty.
-    pub trace: Vec<Progress>,
+    pub trace: Vec<FitProgress>,
     /// Whether its lobes are drawn beside the model's.
     pub overlaid: bool,
 }
@@ -42,7 +42,7 @@ impl KeptFit {
 
     /// Whether it was stopped before its end.
     pub fn is_cancelled(&self) -> bool {
-        self.outcome.ended == Ended::Cancelled
+        self.outcome.ended == EndReason::Cancelled
     }
 }
 

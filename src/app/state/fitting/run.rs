@@ -3,7 +3,7 @@
 use crate::app::state::fitting::settings::Setup;
 use crate::app::state::job::CancelFlag;
 use crate::app::state::material::{MaterialId, Opened};
-use crate::fit::{Progress, Stage, Variant};
+use crate::fit::{FitProgress, Stage, Variant};
 
 /// A fit under way: of one variant, or of several.
 #[derive(Debug)]
@@ -34,12 +34,12 @@ pub struct Part {
     /// What is fitted.
     pub variant: Variant,
     /// Its reports so far.
-    pub updates: Vec<Progress>,
+    pub updates: Vec<FitProgress>,
 }
 
 impl Part {
     /// The best so far.
-    pub fn best(&self) -> Option<&Progress> {
+    pub fn best(&self) -> Option<&FitProgress> {
         self.updates.last()
     }
 }
@@ -84,7 +84,7 @@ impl Run {
 }
 
 /// The first and the last report of a stage.
-pub fn stage_ends(updates: &[Progress], stage: Stage) -> Option<(&Progress, &Progress)> {
+pub fn stage_ends(updates: &[FitProgress], stage: Stage) -> Option<(&FitProgress, &FitProgress)> {
     let first = updates.iter().find(|progress| progress.stage == stage)?;
     let last = updates.iter().rfind(|progress| progress.stage == stage)?;
     Some((first, last))
@@ -96,5 +96,5 @@ pub struct FitUpdates {
     /// Number of the fit.
     pub job: u64,
     /// All since the last message.
-    pub updates: Vec<(usize, Progress)>,
+    pub updates: Vec<(usize, FitProgress)>,
 }

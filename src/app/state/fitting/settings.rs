@@ -1,9 +1,9 @@
 //! What a fit is asked, and what is kept of it.
 
 use crate::brdf::params::ALL;
-use crate::brdf::{Brdf, ParamId};
-use crate::fit::options::NO_LIMIT;
-use crate::fit::{Options, Partial, STAGES, Weight};
+use crate::brdf::{Brdf, ParamId, PerParam};
+use crate::fit::options::{Bounds, NO_LIMIT};
+use crate::fit::{FitOptions, Partial, StageSet, Weight};
 
 /// What the panel says of the next fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,12 +12,12 @@ pub struct Settings {
     pub weight: Weight,
     /// Grazing limit in radians.
     pub limit: f64,
-    /// Which stages are run; by position in [`STAGES`].
-    pub stages: [bool; 4],
-    /// Which parameters keep the value of their slider; by position in [`ALL`].
-    pub held: [bool; 5],
-    /// Bounds that are not the default; by position in [`ALL`].
-    pub bounds: [Option<(f64, f64)>; 5],
+    /// Stages that are run.
+    pub stages: StageSet,
+    /// Whether a parameter keeps the value of its slider.
+    pub held: PerParam<bool>,
+    /// Bounds that are not the default ones; `None` for the others.
+    pub bounds: PerParam<Option<Bounds>>,
     /// Whether the fit begins at the sliders instead of at what the data say.
     pub from_sliders: bool,
 }
@@ -27,9 +27,9 @@ impl Default for Settings {
         Self {
             weight: Weight::default(),
             limit: NO_LIMIT,
-            stages: [true; 4],
-            held: [false; 5],
-            bounds: [None; 5],
+            stages: StageSet::ALL,
+            held: PerParam::default(),
+            bounds: PerParam::default(),
             from_sliders: false,
         }
     }
@@ -38,13 +38,13 @@ impl Default for Settings {
 impl Settings {
     /// What a fit is asked while the sliders stand at `brdf`.
     pub fn setup(&self, brdf: &Brdf) -> Setup {
-        let mut options = Options {
+        let mut options = FitOptions {
             stages: self.stages,
             bounds: self.bounds,
-            ..Options::default()
+            ..FitOptions::default()
         };
-        for (row, held) in ALL.iter().zip(self.held) {
-            if held {
+        for row in &ALL {
+            if self.held[row.id] {
                 options.held.set(row.id, &brdf.params);
             } else if self.from_sliders && !row.id.is_color() {
                 options.start.set(row.id, &brdf.params);
@@ -59,18 +59,12 @@ impl Settings {
 
     /// Why there is nothing to fit, in words.
     pub fn blocked(&self, brdf: &Brdf) -> Option<&'static str> {
-        let runs = |k: usize| self.stages[k];
-        if !(0..STAGES.len()).any(runs) {
+        if self.stages == StageSet::NONE {
             return Some("Tick at least one stage.");
         }
-        let free = |id: ParamId| {
-            let index = ALL.iter().position(|row| row.id == id);
-            brdf.uses(id) && index.is_some_and(|index| !self.held[index])
-        };
-        let moved = STAGES
-            .iter()
-            .enumerate()
-            .any(|(k, stage)| runs(k) && ALL.iter().any(|row| stage.moves(row.id) && free(row.id)));
+        let free = |id: ParamId| brdf.uses(id) && !self.held[id];
+        let mut stages = self.stages.iter();
+        let moved = stages.any(|stage| ALL.iter().any(|row| stage.moves(row.id) && free(row.id)));
         (!moved).then_some("Every parameter that these stages move is held.")
     }
 }
@@ -83,7 +77,7 @@ pub struct Setup {
     /// Grazing limit in radians.
     pub limit: f64,
     /// Stages, what was held and where, start and bounds.
-    pub options: Options,
+    pub options: FitOptions,
 }
 
 impl Setup {
@@ -92,7 +86,7 @@ impl Setup {
     pub fn asks_the_same(&self, other: &Self) -> bool {
         let began_at_data = |setup: &Self| setup.options.start == Partial::default();
         let with_start_of = |setup: &Self| Self {
-            options: Options {
+            options: FitOptions {
                 start: setup.options.start,
                 ..self.options
             },
@@ -108,11 +102,8 @@ impl Setup {
             self.weight.name().to_lowercase(),
             self.limit.to_degrees()
         );
-        let stages: Vec<String> = STAGES
-            .iter()
-            .filter(|stage| self.options.runs(**stage))
-            .map(|stage| stage.number().to_string())
-            .collect();
+        let stages = self.options.stages.iter();
+        let stages: Vec<String> = stages.map(|stage| stage.number().to_string()).collect();
         text += &format!(", stages {}", stages.join(" "));
         let held: Vec<&str> = ALL
             .iter()
@@ -125,7 +116,7 @@ impl Setup {
         if self.options.start != Partial::default() {
             text += ", from the sliders";
         }
-        if self.options.bounds.iter().any(Option::is_some) {
+        if self.options.bounds != PerParam::default() {
             text += ", own bounds";
         }
         text
@@ -137,6 +128,7 @@ mod tests {
     use super::*;
     use crate::brdf::Fresnel;
     use crate::brdf::{MODELS, Params};
+    use crate::fit::Stage;
 
     fn brdf() -> Brdf {
         Brdf {
@@ -149,7 +141,7 @@ mod tests {
     #[test]
     fn held_parameters_keep_their_sliders_values() {
         let mut settings = Settings::default();
-        settings.held[2] = true;
+        settings.held.s = true;
         settings.from_sliders = true;
         let options = settings.setup(&brdf()).options;
         assert_eq!(options.held.s, Some(brdf().params.s));
@@ -169,9 +161,9 @@ mod tests {
         let changes: [fn(&mut Settings); 6] = [
             |s| s.weight = Weight::Cells,
             |s| s.limit = 1.0,
-            |s| s.stages[3] = false,
-            |s| s.held[3] = true,
-            |s| s.bounds[2] = Some((1.0, 2.0)),
+            |s| s.stages.joint = false,
+            |s| s.held.alpha = true,
+            |s| s.bounds.s = Some((1.0, 2.0)),
             |s| s.from_sliders = true,
         ];
         for (k, change) in changes.into_iter().enumerate() {
@@ -192,12 +184,12 @@ mod tests {
     fn a_fit_of_nothing_is_blocked() {
         let mut settings = Settings::default();
         assert_eq!(settings.blocked(&brdf()), None);
-        settings.stages = [false, true, false, false];
-        settings.held = [false, false, true, true, true];
+        settings.stages = StageSet::from_iter([Stage::Shape]);
+        settings.held = PerParam::from_rows(|row| !row.id.is_color());
         assert!(settings.blocked(&brdf()).is_some());
-        settings.stages[0] = true;
+        settings.stages.amplitudes = true;
         assert_eq!(settings.blocked(&brdf()), None);
-        settings.stages = [false; 4];
+        settings.stages = StageSet::NONE;
         assert!(settings.blocked(&brdf()).is_some());
     }
 }

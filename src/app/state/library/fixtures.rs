@@ -2,7 +2,7 @@
 
 use crate::brdf::{Brdf, Fresnel, MODELS, Params};
 use crate::files::fits::FitRecord;
-use crate::fit::{Ended, Errors, Options, Weight};
+use crate::fit::{EndReason, Errors, FitOptions, Weight};
 
 /// A fit of the combined model with this s and this E.
 pub(crate) fn record(s: f64, error: f64) -> FitRecord {
@@ -12,7 +12,7 @@ pub(crate) fn record(s: f64, error: f64) -> FitRecord {
         version: "0".into(),
         weight: Weight::Cosine,
         limit_deg: 90.0,
-        options: Options::default(),
+        options: FitOptions::default(),
         brdf: Brdf {
             model: MODELS[2],
             fresnel: Fresnel::Exact,
@@ -29,7 +29,7 @@ pub(crate) fn record(s: f64, error: f64) -> FitRecord {
         stages: Vec::new(),
         albedo: [[0.5; 3]; 3],
         evaluations: 1,
-        ended: Ended::Converged,
+        ended: EndReason::Converged,
         concerns: Vec::new(),
     }
 }

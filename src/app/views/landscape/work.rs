@@ -6,7 +6,7 @@ use crate::app::state::shared_table::SharedTable;
 use crate::app::views::landscape::settings::LandscapeSettings;
 use crate::brdf::{Brdf, Fresnel};
 use crate::fit::landscape::{Eta, Landscape};
-use crate::fit::{Problem, ProblemError, Progress, Weight, landscape};
+use crate::fit::{FitProgress, Problem, ProblemError, Weight, landscape};
 use std::ops::ControlFlow;
 
 /// The best E of the combined model over (s, α).
@@ -62,8 +62,8 @@ impl Query for LandscapeQuery {
         };
         let mut say = |word| {
             report(match word {
-                landscape::Update::Progress(share) => Update::Progress(share),
-                landscape::Update::Grid(grid) => Update::Partial(Ok(grid)),
+                landscape::LandscapeUpdate::Progress(share) => Update::Progress(share),
+                landscape::LandscapeUpdate::Grid(grid) => Update::Partial(Ok(grid)),
             })
         };
         landscape::landscape(&problem, self.fresnel, self.eta, &mut say).map(Ok)
@@ -81,7 +81,7 @@ const MOST: usize = 400;
 
 /// The way of the fit under way, or of the last one of the shown model, from its start to its end.
 pub fn path(state: &State) -> Vec<[f64; 2]> {
-    let updates: &[Progress] = match state.current_run().and_then(|run| run.current_part()) {
+    let updates: &[FitProgress] = match state.current_run().and_then(|run| run.current_part()) {
         Some(part) => &part.updates,
         None => state.current_fit().map_or(&[], |fit| &fit.trace),
     };
