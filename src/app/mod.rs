@@ -295,7 +295,7 @@ fn shortcuts(ctx: &egui::Context, state: &State, out: &mut Vec<Msg>) {
             continue;
         }
         let bare = keys.modifiers.is_none();
-        let kept = typing && (entry.place.menu == "Edit" || bare);
+        let kept = typing && (entry.menu == "Edit" || bare);
         // A bare key such as Esc has other uses where its command has none.
         let elsewhere = bare && (egui::Popup::is_any_open(ctx) || !entry.command.is_enabled(state));
         if !kept

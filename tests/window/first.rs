@@ -9,9 +9,11 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 use grazing::app::state::notice::{Dialog, Level};
+use grazing::app::state::prefs::Theme;
 use grazing::app::views::lobes::settings::LobeSettings;
 use grazing::app::views::sphere::settings::{Show, SphereSettings};
 use grazing::brdf::{Fresnel, ParamId};
+use grazing::geom::sphere::LIGHT_PRESETS;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
@@ -195,6 +197,21 @@ fn the_palette_finds_and_runs_commands() {
     press(&mut window, Modifiers::NONE, Key::Enter);
     assert_eq!(window.state().state().dialog, None);
     assert_eq!(settings::<SphereSettings>(&window).show, Show::SideBySide);
+    // A name goes before the sentences of samples; arrows move the choice.
+    let choose = |window: &mut Window, downs: usize| {
+        press(window, Modifiers::COMMAND, Key::P);
+        window.event(egui::Event::Text("light".into()));
+        window.run_steps(3);
+        for _ in 0..downs {
+            press(window, Modifiers::NONE, Key::ArrowDown);
+        }
+        press(window, Modifiers::NONE, Key::Enter);
+    };
+    choose(&mut window, 0);
+    assert_eq!(window.state().state().prefs.theme, Theme::Light);
+    choose(&mut window, 2);
+    let lights = &settings::<SphereSettings>(&window).view.lights;
+    assert_eq!(*lights, (LIGHT_PRESETS[1].lights)());
 }
 
 #[test]

@@ -1,48 +1,80 @@
 //! The commands: one list behind menus, shortcuts, tooltips and the palette.
 
-pub mod entries;
-pub mod folder_entries;
-pub mod paper_entries;
+pub mod search;
+pub mod table;
 
 pub use crate::app::msg::command::Command;
 
+use crate::app::command::table::{Item, MENUS, Row};
 use crate::app::state::State;
 use crate::app::views::lobes::settings::LobeSettings;
 use crate::app::views::sphere::settings::SphereSettings;
 use crate::geom::sphere::LIGHT_PRESETS;
 use crate::measured::lookup::Lookup;
 use egui::KeyboardShortcut;
+use std::borrow::Cow;
 use std::sync::LazyLock;
 
-/// Where a command stands in the menu bar. A second word is a submenu.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
-    /// The menu.
-    pub menu: &'static str,
-    /// The submenu, empty for none.
-    pub submenu: &'static str,
-}
-
-/// The menus from left to right.
-pub const MENUS: [&str; 6] = ["File", "Edit", "Model", "Fit", "View", "Help"];
-
-/// A row of the list.
+/// A command with its place in the menus.
 #[derive(Debug)]
 pub struct Entry {
-    /// What it does.
+    /// The command.
     pub command: Command,
-    /// Where it stands.
-    pub place: Place,
-    /// Its words.
-    pub name: String,
-    /// Its keys.
+    /// Menu of the bar.
+    pub menu: &'static str,
+    /// Submenu, empty for none.
+    pub submenu: &'static str,
+    /// Name in the menu.
+    pub name: Cow<'static, str>,
+    /// Keys that run it.
     pub keys: Option<KeyboardShortcut>,
     /// One sentence.
-    pub help: String,
+    pub help: Cow<'static, str>,
 }
 
 /// All commands in menu order.
-pub static ENTRIES: LazyLock<Vec<Entry>> = LazyLock::new(entries::entries);
+pub static ENTRIES: LazyLock<Vec<Entry>> = LazyLock::new(|| {
+    let rows = MENUS
+        .iter()
+        .flat_map(|menu| menu.rows.iter().map(|row| (menu.name, row)));
+    rows.flat_map(|(menu, row)| match row {
+        Row::One(Item {
+            command,
+            name,
+            keys,
+            help,
+        }) => vec![Entry {
+            command: *command,
+            menu,
+            submenu: "",
+            name: name.clone(),
+            keys: *keys,
+            help: help.clone(),
+        }],
+        Row::Each(submenu, items) => items()
+            .into_iter()
+            .map(|item| Entry {
+                command: item.command,
+                menu,
+                submenu,
+                name: item.name,
+                keys: item.keys,
+                help: item.help,
+            })
+            .collect(),
+    })
+    .collect()
+});
+
+impl Entry {
+    /// Name with its submenu, such as "Theme: Light".
+    pub fn title(&self) -> String {
+        match self.submenu {
+            "" => self.name.to_string(),
+            submenu => format!("{submenu}: {}", self.name),
+        }
+    }
+}
 
 impl Command {
     /// The row of this command; `None` for those that depend on the state (recent files).
@@ -57,7 +89,7 @@ impl Command {
         };
         match &entry.keys {
             Some(keys) => format!("{} ({})", entry.help, ctx.format_shortcut(keys)),
-            None => entry.help.clone(),
+            None => entry.help.to_string(),
         }
     }
 

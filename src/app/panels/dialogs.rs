@@ -1,9 +1,9 @@
-//! The windows over the window: all commands, guide, conventions, about.
+//! The windows over the window: palette, figure, guide, conventions, about.
 
-use crate::app::command::{ENTRIES, Entry};
 use crate::app::msg::Msg;
 use crate::app::panels::figure::figure_ui;
 use crate::app::panels::guide::guide_ui;
+use crate::app::panels::palette::palette_ui;
 use crate::app::state::State;
 use crate::app::state::notice::Dialog;
 use crate::app::widgets::paint::rich_text_job;
@@ -37,53 +37,6 @@ pub fn dialog_ui(ctx: &egui::Context, state: &State, adapter: &str, out: &mut Ve
     }
 }
 
-fn palette_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
-    ui.set_width(460.0);
-    let mut text = state.typed.clone();
-    let edit = ui.add(
-        egui::TextEdit::singleline(&mut text)
-            .hint_text("Type to search all commands")
-            .desired_width(f32::INFINITY),
-    );
-    edit.request_focus();
-    if edit.changed() {
-        out.push(Msg::Typed(text.clone()));
-    }
-    let found: Vec<&Entry> = ENTRIES
-        .iter()
-        .filter(|entry| entry.command.is_enabled(state) && matches(entry, &text))
-        .collect();
-    let mut chosen = None;
-    if ui.input(|input| input.key_pressed(Key::Enter)) {
-        chosen = found.first().copied();
-    }
-    ui.add_space(6.0);
-    egui::ScrollArea::vertical()
-        .max_height(360.0)
-        .auto_shrink([false, false])
-        .show(ui, |ui| {
-            for (index, entry) in found.iter().enumerate() {
-                let mut button = egui::Button::new(title(entry))
-                    .selected(index == 0)
-                    .frame_when_inactive(index == 0);
-                if let Some(keys) = &entry.keys {
-                    button = button.shortcut_text(ui.ctx().format_shortcut(keys));
-                }
-                let response = ui.add_sized([ui.available_width(), 22.0], button.right_text(""));
-                if response.on_hover_text(&entry.help).clicked() {
-                    chosen = Some(entry);
-                }
-            }
-            if found.is_empty() {
-                ui.weak("No command has these words.");
-            }
-        });
-    if let Some(entry) = chosen {
-        out.push(Msg::CloseDialog);
-        out.push(Msg::Run(entry.command));
-    }
-}
-
 /// For systems without a file dialog, and for those who know the path.
 fn open_path_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     ui.set_width(460.0);
@@ -108,21 +61,6 @@ fn open_path_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
         out.push(Msg::CloseDialog);
         out.push(Msg::OpenFiles(vec![path.into()]));
     }
-}
-
-fn title(entry: &Entry) -> String {
-    match entry.place.submenu {
-        "" => entry.name.clone(),
-        submenu => format!("{submenu}: {}", entry.name),
-    }
-}
-
-/// Every typed word must occur.
-fn matches(entry: &Entry, text: &str) -> bool {
-    let heap = format!("{} {} {}", entry.place.menu, title(entry), entry.help).to_lowercase();
-    text.to_lowercase()
-        .split_whitespace()
-        .all(|word| heap.contains(word))
 }
 
 /// What every number and picture means, a line each: left in the markup of formulas.

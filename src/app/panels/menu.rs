@@ -1,6 +1,7 @@
 //! The menu bar, made from the command list.
 
-use crate::app::command::{Command, ENTRIES, Entry, MENUS};
+use crate::app::command::table::MENUS;
+use crate::app::command::{Command, ENTRIES, Entry};
 use crate::app::msg::Msg;
 use crate::app::state::State;
 use crate::files::folder::shown_name;
@@ -9,18 +10,15 @@ use crate::files::folder::shown_name;
 pub fn menu_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     egui::MenuBar::new().ui(ui, |ui| {
         for menu in MENUS {
-            ui.menu_button(menu, |ui| entries_ui(ui, menu, state, out));
+            ui.menu_button(menu.name, |ui| entries_ui(ui, menu.name, state, out));
         }
     });
 }
 
 fn entries_ui(ui: &mut egui::Ui, menu: &str, state: &State, out: &mut Vec<Msg>) {
-    let entries: Vec<&Entry> = ENTRIES
-        .iter()
-        .filter(|entry| entry.place.menu == menu)
-        .collect();
-    for group in entries.chunk_by(|a, b| a.place == b.place) {
-        let submenu = group[0].place.submenu;
+    let entries: Vec<&Entry> = ENTRIES.iter().filter(|entry| entry.menu == menu).collect();
+    for group in entries.chunk_by(|a, b| a.submenu == b.submenu) {
+        let submenu = group[0].submenu;
         if submenu.is_empty() {
             for entry in group {
                 entry_ui(ui, entry, state, out);
@@ -39,14 +37,14 @@ fn entries_ui(ui: &mut egui::Ui, menu: &str, state: &State, out: &mut Vec<Msg>) 
 }
 
 fn entry_ui(ui: &mut egui::Ui, entry: &Entry, state: &State, out: &mut Vec<Msg>) {
-    let mut button = egui::Button::new(entry.name.as_str())
-        .selected(entry.command.is_checked(state).unwrap_or(false));
+    let mut button =
+        egui::Button::new(&*entry.name).selected(entry.command.is_checked(state).unwrap_or(false));
     if let Some(keys) = &entry.keys {
         button = button.shortcut_text(ui.ctx().format_shortcut(keys));
     }
     let response = ui
         .add_enabled(entry.command.is_enabled(state), button)
-        .on_hover_text(&entry.help);
+        .on_hover_text(&*entry.help);
     if response.clicked() {
         out.push(Msg::Run(entry.command));
     }

@@ -11,6 +11,7 @@ pub mod library;
 pub mod menu;
 pub mod model;
 pub mod notices;
+pub mod palette;
 pub mod session;
 pub mod status;
 pub mod tiles;

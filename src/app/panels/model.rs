@@ -71,10 +71,10 @@ fn choices_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
             }
             for entry in ENTRIES
                 .iter()
-                .filter(|e| e.place.menu == "Model" && e.place.submenu == submenu)
+                .filter(|e| e.menu == "Model" && e.submenu == submenu)
             {
                 let checked = entry.command.is_checked(state).unwrap_or(false);
-                let response = ui.selectable_label(checked, entry.name.as_str());
+                let response = ui.selectable_label(checked, &*entry.name);
                 if response
                     .on_hover_text(entry.command.hint(ui.ctx()))
                     .clicked()
