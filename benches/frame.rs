@@ -10,6 +10,7 @@
 
 use eframe::egui;
 use grazing::app::msg::Msg;
+use grazing::app::state::layout::Tiles;
 use grazing::app::state::views::VIEWS;
 use grazing::app::views::albedo::work::MeasuredAlbedo;
 use grazing::app::views::landscape::work::LandscapeQuery;
@@ -168,10 +169,10 @@ fn app(
     let mut app = App::new(cc, options)?;
     match kind {
         "whole" => {}
-        "all" => app.tiles_side_by_side(),
-        "panels" => app.close_tiles(),
+        "all" => app.handle(&cc.egui_ctx, Msg::SetLayout(Tiles::side_by_side())),
+        "panels" => app.handle(&cc.egui_ctx, Msg::SetLayout(Tiles::none())),
         key => {
-            app.close_tiles();
+            app.handle(&cc.egui_ctx, Msg::SetLayout(Tiles::none()));
             let row = VIEWS.iter().find(|row| row.key == key);
             let pane = row.ok_or("no tile has this key")?.id;
             let toggle = grazing::app::command::Command::ToggleTile(pane);

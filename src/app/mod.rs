@@ -21,6 +21,7 @@ use crate::app::jobs::sender::Sender;
 use crate::app::jobs::{Jobs, prepare_threads};
 use crate::app::lessons::LookAt;
 use crate::app::msg::Msg;
+use crate::app::msg::session::SessionMsg;
 use crate::app::panels::library::library_ui;
 use crate::app::panels::tiles::tiles_ui;
 use crate::app::panels::{dialogs, fit, lesson, menu, model, notices, status};
@@ -103,21 +104,11 @@ impl App {
             shown_theme: None,
             shown_title: "Grazing".into(),
         };
-        if let Some(prefs) = cc
-            .storage
-            .and_then(|storage| eframe::get_value::<Prefs>(storage, PREFS_KEY))
-        {
-            app.state.prefs = prefs;
-        }
-        // One that cannot be read is not there.
-        if let Some(tiles) = cc
-            .storage
-            .and_then(|storage| eframe::get_value::<Tiles>(storage, LAYOUT_KEY))
-        {
-            app.state.tiles = tiles;
+        for msg in kept(cc) {
+            app.handle(&cc.egui_ctx, msg);
         }
         if let Some(folder) = options.autosave {
-            app.keep_for_a_crash(&folder);
+            app.keep_for_a_crash(&cc.egui_ctx, &folder);
         }
         let first = match options.files {
             files if files.is_empty() => Msg::Run(command::Command::OpenSample(0)),
@@ -137,16 +128,6 @@ impl App {
         &self.state
     }
 
-    /// Takes every tile away, so that the panels are left: what the benchmark of a frame compares with.
-    pub fn close_tiles(&mut self) {
-        self.state.tiles = Tiles::none();
-    }
-
-    /// Puts every tile in sight at once, for the same benchmark.
-    pub fn tiles_side_by_side(&mut self) {
-        self.state.tiles = Tiles::side_by_side();
-    }
-
     /// Applies a message and starts what follows from it.
     pub fn handle(&mut self, ctx: &egui::Context, msg: Msg) {
         for task in apply(&mut self.state, msg) {
@@ -154,16 +135,15 @@ impl App {
         }
     }
 
-    fn keep_for_a_crash(&mut self, folder: &Path) {
-        match Autosave::start(folder) {
+    fn keep_for_a_crash(&mut self, ctx: &egui::Context, folder: &Path) {
+        let msg = match Autosave::start(folder) {
             Ok((autosave, crashed)) => {
                 self.autosave = Some(autosave);
-                self.state.session.crashed = crashed;
+                Msg::Session(SessionMsg::Crashed(crashed))
             }
-            Err(error) => {
-                reduce::notify(&mut self.state, Level::Error, error.to_string());
-            }
-        }
+            Err(error) => Msg::Notify(Level::Error, error.to_string()),
+        };
+        self.handle(ctx, msg);
     }
 
     fn title_ui(&mut self, ctx: &egui::Context) {
@@ -195,6 +175,17 @@ impl App {
         panels::session::session_ui(ui.ctx(), state, out);
         dialogs::dialog_ui(ui.ctx(), state, &self.adapter, out);
     }
+}
+
+/// What the storage has of the last run; what cannot be read is not there.
+fn kept(cc: &eframe::CreationContext<'_>) -> Vec<Msg> {
+    let Some(storage) = cc.storage else {
+        return Vec::new();
+    };
+    let prefs = eframe::get_value::<Prefs>(storage, PREFS_KEY);
+    let tiles = eframe::get_value::<Tiles>(storage, LAYOUT_KEY);
+    let prefs = prefs.map(|prefs| Msg::SetPrefs(Box::new(prefs)));
+    prefs.into_iter().chain(tiles.map(Msg::SetLayout)).collect()
 }
 
 impl eframe::App for App {

@@ -322,6 +322,56 @@ fn no_reducer_calls_the_whole_reducer_again() {
     ));
 }
 
+/// Lines outside `reduce` that could change the state. `path` is inside `app`.
+fn changes_outside_reducers(path: &str, text: &str) -> Vec<String> {
+    let room = room_of(path, "/");
+    if room == "reduce" || path.contains("tests") {
+        return Vec::new();
+    }
+    let text = text
+        .split("#[cfg(test)]\nmod tests {")
+        .next()
+        .unwrap_or_default();
+    let lines = text.lines().enumerate();
+    let changes = lines.filter(|(_, line)| {
+        let code = line.split("//").next().unwrap_or_default();
+        let lent = code.contains("&mut State") || code.contains("&mut self.state");
+        let target = code.split_once(" = ").map_or("", |(target, _)| target);
+        let assigned = target.contains(".state.") && !target.contains("let ");
+        // The one call of the reducer.
+        (lent || assigned) && !code.contains("in apply(&mut self.state, msg)")
+    });
+    changes
+        .map(|(number, line)| format!("app/{path}:{}: {}", number + 1, line.trim()))
+        .collect()
+}
+
+#[test]
+fn the_state_changes_in_reducers_only() {
+    let app = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/app");
+    let mut files = Vec::new();
+    rust_files(&app, &mut files);
+    let mut all = Vec::new();
+    for path in files {
+        let inside = path.strip_prefix(&app).expect("inside");
+        let text = fs::read_to_string(&path).expect("a source file");
+        all.extend(changes_outside_reducers(
+            &inside.display().to_string(),
+            &text,
+        ));
+    }
+    assert!(all.is_empty(), "\n{}", all.join("\n"));
+    let caught = |path: &str, text: &str| !changes_outside_reducers(path, text).is_empty();
+    assert!(caught("mod.rs", "app.state.prefs = prefs;"));
+    assert!(caught("panels/fit.rs", "fn f(state: &mut State) {}"));
+    assert!(!caught("reduce/fit.rs", "fn f(state: &mut State) {}"));
+    assert!(!caught(
+        "mod.rs",
+        "for task in apply(&mut self.state, msg) {"
+    ));
+    assert!(!caught("mod.rs", "let files = app.state.library.files;"));
+}
+
 #[test]
 fn the_state_knows_no_egui() {
     let state = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/app/state");

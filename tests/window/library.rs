@@ -9,7 +9,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use grazing::app::command::Command;
 use grazing::app::msg::Msg;
 use grazing::app::msg::fit::FitMsg;
-use grazing::app::msg::library::LibraryMsg;
+use grazing::app::msg::library::{FolderMsg, LibraryMsg};
 use grazing::app::state::fitting::settings::Settings;
 use grazing::app::state::library::listing::{Sort, SortKey};
 use grazing::app::state::library::{Kind, Scan};
@@ -432,10 +432,11 @@ fn of_a_hundred_files_only_those_in_sight_are_drawn() {
     // The other way round, and a folder that is closed.
     send(
         &mut window,
-        LibraryMsg::Sort(Sort {
+        FolderMsg::Sort(Sort {
             key: SortKey::Name,
             descending: true,
-        }),
+        })
+        .into(),
     );
     window.run_steps(3);
     let first = window.state().state().library.visible().first().copied();

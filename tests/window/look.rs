@@ -1,9 +1,10 @@
 //! The window as pictures. `UPDATE_SNAPSHOTS=1 cargo test --test window look` accepts what is drawn now.
 
-use crate::common::window::{Window, nothing_picked, run, settings, settle};
+use crate::common::window::{Window, nothing_picked, run, send, settings, settle};
 use egui_kittest::{Harness, SnapshotOptions};
 use grazing::app::command::Command;
 use grazing::app::msg::Msg;
+use grazing::app::state::layout::Tiles;
 use grazing::app::state::prefs::Theme;
 use grazing::app::state::probe::Probe;
 use grazing::app::views::albedo::work::{MeasuredAlbedo, ModelAlbedo};
@@ -69,7 +70,7 @@ fn the_light_window() {
 /// Every view side by side, on the sample, the probe pinned so that all mark it.
 fn every_view(theme: Theme, name: &str) {
     let mut window = window_of(theme, [2000.0, 1250.0]);
-    window.state_mut().tiles_side_by_side();
+    send(&mut window, Msg::SetLayout(Tiles::side_by_side()));
     let ctx = window.ctx.clone();
     let probe = Probe::in_plane(1.0, 0.7);
     window.state_mut().handle(&ctx, Msg::Pin(Some(probe)));

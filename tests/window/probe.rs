@@ -7,6 +7,7 @@ use egui_kittest::kittest::Queryable;
 use grazing::app::command::Command;
 use grazing::app::msg::Msg;
 use grazing::app::msg::cache::stop;
+use grazing::app::state::layout::Tiles;
 use grazing::app::state::probe::Probe;
 use grazing::app::views::albedo::work::{MeasuredAlbedo, ModelAlbedo};
 use grazing::app::views::disc::work::DiscQuery;
@@ -34,7 +35,7 @@ const OTHERS: [&str; 2] = ["Error landscape", "Scatter"];
 fn opened() -> Window {
     let mut window = window(vec![], vec![]);
     window.set_size(egui::vec2(1900.0, 1300.0));
-    window.state_mut().tiles_side_by_side();
+    send(&mut window, Msg::SetLayout(Tiles::side_by_side()));
     // They would take a while, and the probe is marked without them.
     window.run_steps(2);
     send(&mut window, stop::<LandscapeQuery>());

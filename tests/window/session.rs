@@ -15,6 +15,7 @@ use grazing::app::msg::Msg;
 use grazing::app::msg::fit::FitMsg;
 use grazing::app::session::file::SessionFile;
 use grazing::app::state::State;
+use grazing::app::state::layout::Tiles;
 use grazing::app::state::notice::Level;
 use grazing::app::state::views::ViewId;
 use grazing::app::{Options, Picker};
@@ -48,7 +49,7 @@ fn kept_in(folder: &Path, files: &[&Path]) -> Window {
         picker: nothing_picked(),
         autosave: Some(folder.to_owned()),
     });
-    window.state_mut().close_tiles();
+    send(&mut window, Msg::SetLayout(Tiles::none()));
     window
 }
 

@@ -2,7 +2,7 @@
 
 use crate::app::jobs::Jobs;
 use crate::app::msg::Msg;
-use crate::app::msg::library::LibraryMsg;
+use crate::app::msg::library::FolderMsg;
 use crate::app::msg::work::{SendMsg, Work};
 use crate::app::state::job::{CancelFlag, Hold};
 use crate::app::state::library::{Examined, Thumbnail};
@@ -43,7 +43,7 @@ impl Scanner {
         let doing = format!("looking at {}", folder::shown_name(&path));
         let failed = move |text| {
             let result = Err(text);
-            Msg::Library(LibraryMsg::Listed { number, result })
+            Msg::Library(FolderMsg::Listed { number, result }.into())
         };
         jobs.start(Work::new(doing, move |_| self.run(&path)).or_tell(failed));
     }
@@ -53,13 +53,13 @@ impl Scanner {
         let number = self.number;
         let result = folder::list(path).map_err(|error| error.to_string());
         let files = result.as_ref().cloned().unwrap_or_default();
-        self.send(LibraryMsg::Listed { number, result });
+        self.send(FolderMsg::Listed { number, result });
         for index in self.look(&files) {
             self.jobs
                 .start(self.clone().examine_in_turn(index, files[index].clone()));
         }
         let scanner = self.clone();
-        let end = move |_: &SendMsg| scanner.send(LibraryMsg::Scanned { number });
+        let end = move |_: &SendMsg| scanner.send(FolderMsg::Scanned { number });
         self.jobs
             .start(Work::new("ending the scan", end).in_turn(LANE));
     }
@@ -80,7 +80,7 @@ impl Scanner {
                 }
                 seen.push((index, content.map_err(|error| error.reason())));
             }
-            self.send(LibraryMsg::Seen {
+            self.send(FolderMsg::Seen {
                 number: self.number,
                 seen,
             });
@@ -90,7 +90,7 @@ impl Scanner {
 
     fn examine_in_turn(self, index: usize, file: PathBuf) -> Work {
         let number = self.number;
-        let examined = move |result| LibraryMsg::Examined {
+        let examined = move |result| FolderMsg::Examined {
             number,
             index,
             result,
@@ -104,7 +104,7 @@ impl Scanner {
             }
         })
         .in_turn(LANE)
-        .or_tell(move |text| Msg::Library(examined(Err(text))))
+        .or_tell(move |text| Msg::Library(examined(Err(text)).into()))
     }
 
     fn examine(&self, file: &Path) -> Result<Examined, FileError> {
@@ -127,9 +127,9 @@ impl Scanner {
         })
     }
 
-    fn send(&self, msg: LibraryMsg) {
+    fn send(&self, msg: FolderMsg) {
         if !self.cancel.is_set() {
-            self.jobs.sender().send(Msg::Library(msg));
+            self.jobs.sender().send(Msg::Library(msg.into()));
         }
     }
 }

@@ -17,6 +17,27 @@ pub enum LibraryMsg {
     Open(PathBuf),
     /// Close the folder.
     Close,
+    /// Something about the listed folder.
+    Folder(FolderMsg),
+    /// Show a file; whether it is more than a preview.
+    Show { path: PathBuf, keep: bool },
+    /// Go on by so many files, or open materials.
+    Step(isize),
+    /// Leave the preview open.
+    Keep,
+    /// How much memory tables may take, in MiB.
+    SetLimit(u32),
+    /// The fit of the folder reports.
+    Fit {
+        number: u64,
+        update: FolderFitUpdate,
+    },
+}
+
+/// Something happened to the list of the open folder. `number` is that of its scan: what an older one says is dropped.
+#[derive(Debug)]
+#[expect(missing_docs, reason = "the line over each message names its fields")]
+pub enum FolderMsg {
     /// The names in the folder, or why they cannot be read.
     Listed {
         number: u64,
@@ -39,19 +60,12 @@ pub enum LibraryMsg {
     Search(String),
     /// Change the order.
     Sort(Sort),
-    /// Show a file; whether it is more than a preview.
-    Show { path: PathBuf, keep: bool },
-    /// Go on by so many files, or open materials.
-    Step(isize),
-    /// Leave the preview open.
-    Keep,
-    /// How much memory tables may take, in MiB.
-    SetLimit(u32),
-    /// The fit of the folder reports.
-    Fit {
-        number: u64,
-        update: FolderFitUpdate,
-    },
+}
+
+impl From<FolderMsg> for LibraryMsg {
+    fn from(msg: FolderMsg) -> Self {
+        Self::Folder(msg)
+    }
 }
 
 /// Something to be done outside the state.

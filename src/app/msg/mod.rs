@@ -20,6 +20,7 @@ use crate::app::state::job::CancelFlag;
 use crate::app::state::layout::Tiles;
 use crate::app::state::material::Origin;
 use crate::app::state::notice::Level;
+use crate::app::state::prefs::Prefs;
 use crate::app::state::probe::Probe;
 use crate::app::state::subject_key::SubjectKey;
 use crate::app::state::view_settings::{AnySettings, Settings};
@@ -87,6 +88,8 @@ pub enum Msg {
     SetView(AnySettings),
     /// The tiles were moved.
     SetLayout(Tiles),
+    /// What was kept of the last run was read.
+    SetPrefs(Box<Prefs>),
     /// Lay this model over the shown material, with the best ρ_d and k_s once they are found.
     TakeModel(Brdf),
     /// The pointer shows a pair of directions, or none.

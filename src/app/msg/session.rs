@@ -24,6 +24,8 @@ pub enum SessionMsg {
     Located(Vec<(MaterialId, PathBuf)>),
     /// Go on without one, or without all, that is asked for.
     Skip { all: bool },
+    /// Earlier runs that did not end have left these.
+    Crashed(Vec<Crashed>),
     /// Open what the last run has left.
     Restore,
     /// Throw away what the last run has left.

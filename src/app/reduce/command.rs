@@ -145,7 +145,10 @@ pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
         Command::ResetLayout => state.tiles = Tiles::default(),
         Command::ToggleTile(pane) => state.tiles.toggle(pane),
         Command::Unpin => state.pinned = None,
-        Command::ExportFigure => figure::open(state),
+        Command::ExportFigure => {
+            state.views.chosen = figure::first_views(state);
+            state.dialog = Some(Dialog::Figure);
+        }
         Command::Copy => {
             let values = state.pinned.is_some() || state.views.pointed.is_none();
             return if values && Command::CopyProbe.is_enabled(state) {

@@ -3,38 +3,45 @@
 use crate::app::msg::Task;
 use crate::app::msg::figure::{FigureMsg, FigureTask};
 use crate::app::state::State;
+use crate::app::state::figure::{FigurePrefs, Views};
 use crate::app::state::notice::Dialog;
 use crate::app::state::views::ViewId;
 
-/// Changes the state.
-pub(crate) fn apply(state: &mut State, msg: FigureMsg) -> Vec<Task> {
+/// What figures change: the views in them, their looks, and the dialog that makes one.
+pub(crate) struct FigurePart<'a> {
+    pub views: &'a mut Views,
+    pub prefs: &'a mut FigurePrefs,
+    pub dialog: &'a mut Option<Dialog>,
+}
+
+/// Changes the part.
+pub(crate) fn apply(part: &mut FigurePart, msg: FigureMsg) -> Vec<Task> {
     match msg {
         FigureMsg::Point(pane) => {
-            state.views.pointed = pane;
-            state.views.last = pane.or(state.views.last);
+            part.views.pointed = pane;
+            part.views.last = pane.or(part.views.last);
         }
-        FigureMsg::Choose(panes) => state.views.chosen = panes,
-        FigureMsg::Set(prefs) => state.prefs.figure = prefs,
+        FigureMsg::Choose(panes) => part.views.chosen = panes,
+        FigureMsg::Set(prefs) => *part.prefs = prefs,
         FigureMsg::Export => {
-            state.dialog = None;
-            let views = state.views.chosen.clone();
+            *part.dialog = None;
+            let views = part.views.chosen.clone();
             return vec![Task::Figure(FigureTask::Export(views))];
         }
     }
     Vec::new()
 }
 
-/// Opens the dialog on the view that is meant.
-pub(crate) fn open(state: &mut State) {
+/// The views that a new figure begins with: those chosen by hand, or the one that is meant.
+pub(crate) fn first_views(state: &State) -> Vec<ViewId> {
     let kept = state.views.chosen.iter().copied();
     let kept: Vec<ViewId> = kept.filter(|pane| state.can_draw(*pane)).collect();
-    state.views.chosen = match (kept.len(), state.meant_view()) {
+    match (kept.len(), state.meant_view()) {
         // Several were chosen by hand.
         (2.., _) => kept,
         (_, Some(pane)) => vec![pane],
         (_, None) => Vec::new(),
-    };
-    state.dialog = Some(Dialog::Figure);
+    }
 }
 
 /// A task on the view that is meant.

@@ -1,12 +1,14 @@
 //! The one place where the state changes: `apply(state, message) → tasks`.
 
 pub mod command;
+pub(crate) mod context;
 pub mod figure;
 pub mod fit;
 pub mod fit_files;
 pub mod folder_fit;
 pub mod lesson;
 pub mod library;
+pub mod listing;
 pub mod memory;
 pub mod open_session;
 pub mod opening;
@@ -14,9 +16,10 @@ pub mod session;
 pub mod show;
 
 use crate::app::msg::{Msg, Task};
+use crate::app::reduce::context::{Context, Edit};
 use crate::app::reduce::opening::load;
 use crate::app::state::material::Origin;
-use crate::app::state::notice::{Dialog, Level, Notice};
+use crate::app::state::notice::{Dialog, Level};
 use crate::app::state::subjects::Subjects;
 use crate::app::state::{Scene, State, subjects};
 use crate::brdf::{Brdf, ParamId, Params};
@@ -94,11 +97,19 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
         Msg::Lesson { lesson, step } => return lesson::go(state, lesson, step),
         Msg::EndLesson => state.lesson = None,
         Msg::Fit(msg) => return fit::apply(state, msg),
-        Msg::Figure(msg) => return figure::apply(state, msg),
+        Msg::Figure(msg) => {
+            let mut part = figure::FigurePart {
+                views: &mut state.views,
+                prefs: &mut state.prefs.figure,
+                dialog: &mut state.dialog,
+            };
+            return figure::apply(&mut part, msg);
+        }
         Msg::Library(msg) => return library::apply(state, msg),
         Msg::Session(msg) => return session::apply(state, msg),
         Msg::SetView(settings) => edit(state, |scene| scene.views.set(settings)),
         Msg::SetLayout(tiles) => state.tiles = tiles,
+        Msg::SetPrefs(prefs) => state.prefs = *prefs,
         Msg::TakeModel(brdf) => return fit::take(state, brdf),
         Msg::Hover(probe) => state.hovered = probe,
         Msg::Pin(probe) => state.pinned = probe,
@@ -149,9 +160,10 @@ fn make_grey(params: &mut Params, id: ParamId) {
     }
 }
 
+/// Changes the scene, in a step that undo takes back.
 pub(crate) fn edit(state: &mut State, change: impl FnOnce(&mut Scene)) {
-    state.history.before_change(&state.scene);
-    change(&mut state.scene);
+    let State { scene, history, .. } = state;
+    Edit { scene, history }.edit(change);
 }
 
 /// Changes the shown model. A fit that moves it is stopped: its best so far is what is changed.
@@ -164,7 +176,10 @@ pub(crate) fn edit_brdf(state: &mut State, change: impl FnOnce(&mut Brdf)) {
     });
 }
 
+/// Says something in the corner of the window.
 pub(crate) fn notify(state: &mut State, level: Level, text: String) {
-    let id = state.fresh_id();
-    state.notices.push(Notice { id, level, text });
+    let State {
+        notices, next_id, ..
+    } = state;
+    Context { notices, next_id }.notify(level, text);
 }

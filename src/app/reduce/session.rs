@@ -22,6 +22,7 @@ pub(crate) fn apply(state: &mut State, msg: SessionMsg) -> Vec<Task> {
         SessionMsg::Locate(id) => return locate(state, id),
         SessionMsg::Located(found) => return open_session::located(state, found),
         SessionMsg::Skip { all } => skip(state, all),
+        SessionMsg::Crashed(crashed) => state.session.crashed = crashed,
         SessionMsg::Restore => return open_session::restore(state),
         SessionMsg::Discard => {
             if !state.session.crashed.is_empty() {

@@ -2,7 +2,7 @@
 
 use crate::app::command::Command;
 use crate::app::msg::Msg;
-use crate::app::msg::library::LibraryMsg;
+use crate::app::msg::library::{FolderMsg, LibraryMsg};
 use crate::app::panels::library::files;
 use crate::app::state::State;
 use crate::app::state::library::listing::{SORT_KEYS, Sort};
@@ -120,7 +120,7 @@ fn search_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
                 egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Search the folder")
             });
             if field.changed() {
-                out.push(Msg::Library(LibraryMsg::Search(text)));
+                out.push(Msg::Library(FolderMsg::Search(text).into()));
             }
             let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
             if let (true, Some(first)) = (entered, library.steps().first()) {
@@ -137,7 +137,7 @@ fn sort_ui(ui: &mut egui::Ui, sort: Sort, out: &mut Vec<Msg>) {
     let menu = ui.menu_button("Sort", |ui| {
         for (key, name) in SORT_KEYS {
             if ui.selectable_label(sort.key == key, name).clicked() {
-                out.push(Msg::Library(LibraryMsg::Sort(Sort { key, ..sort })));
+                out.push(Msg::Library(FolderMsg::Sort(Sort { key, ..sort }).into()));
             }
         }
         ui.separator();
@@ -146,7 +146,9 @@ fn sort_ui(ui: &mut egui::Ui, sort: Sort, out: &mut Vec<Msg>) {
                 .selectable_label(sort.descending == descending, name)
                 .clicked()
             {
-                out.push(Msg::Library(LibraryMsg::Sort(Sort { descending, ..sort })));
+                out.push(Msg::Library(
+                    FolderMsg::Sort(Sort { descending, ..sort }).into(),
+                ));
             }
         }
     });

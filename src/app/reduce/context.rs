@@ -1,0 +1,39 @@
+//! What a reducer may do besides changing its own part of the state.
+
+use crate::app::state::Scene;
+use crate::app::state::history::History;
+use crate::app::state::notice::{Level, Notice};
+
+/// Notices, and numbers for what is new.
+pub(crate) struct Context<'a> {
+    pub notices: &'a mut Vec<Notice>,
+    pub next_id: &'a mut u64,
+}
+
+impl Context<'_> {
+    /// A number not used before in this run.
+    pub fn fresh_id(&mut self) -> u64 {
+        *self.next_id += 1;
+        *self.next_id
+    }
+
+    /// Says something in the corner of the window.
+    pub fn notify(&mut self, level: Level, text: String) {
+        let id = self.fresh_id();
+        self.notices.push(Notice { id, level, text });
+    }
+}
+
+/// The scene, to be changed in steps that undo takes back.
+pub(crate) struct Edit<'a> {
+    pub scene: &'a mut Scene,
+    pub history: &'a mut History<Scene>,
+}
+
+impl Edit<'_> {
+    /// Changes the scene. All changes until [`History::settle`] are one step.
+    pub fn edit(&mut self, change: impl FnOnce(&mut Scene)) {
+        self.history.before_change(self.scene);
+        change(self.scene);
+    }
+}
