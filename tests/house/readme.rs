@@ -4,6 +4,7 @@
 use grazing::export::preset::PRESETS;
 use grazing::figure::ViewSpec;
 use grazing::figure::page::Style;
+use grazing::geom::limits::{GRAZING_THETA_DEG, UNRELIABLE_THETA_DEG};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
@@ -215,4 +216,35 @@ fn every_source_is_in_the_bibliography_and_named_somewhere() {
     assert_eq!(amiss(&texts[..texts.len() - 1], &dead).1, ["Unread77"]);
     // Indices and units are no sources.
     assert!(cited("a[10] [i12] [Ab12] [A, B] [x](y) [1/sr] [Name123]").is_empty());
+}
+
+/// Texts that name a limit in degrees, by file: each has to follow its constant.
+fn limits_in_words(grazing: f64, unreliable: f64) -> [(&'static str, String); 5] {
+    [
+        ("src/app/views/fits/head.rs", format!("E ≥ {grazing}°")),
+        ("src/app/views/fits/head.rs", format!("from {grazing}° on")),
+        (
+            "src/app/views/disc/about.rs",
+            format!("beyond {unreliable}°"),
+        ),
+        (
+            "src/app/views/image/about.rs",
+            format!("beyond {unreliable}°"),
+        ),
+        ("src/cli/fit.rs", format!("beyond {unreliable}°")),
+    ]
+}
+
+#[test]
+fn words_about_grazing_angles_follow_their_constants() {
+    let wrong = |grazing: f64, unreliable: f64| {
+        let all = limits_in_words(grazing, unreliable).into_iter();
+        all.filter(|(path, words)| !read(path).contains(words.as_str()))
+            .count()
+    };
+    assert_eq!(wrong(GRAZING_THETA_DEG, UNRELIABLE_THETA_DEG), 0);
+    assert_eq!(
+        wrong(GRAZING_THETA_DEG + 1.0, UNRELIABLE_THETA_DEG + 1.0),
+        5
+    );
 }

@@ -7,7 +7,7 @@ use glam::DVec3;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Polar angles in degrees that are circles on the surface: at sin θ, under the directions of that θ.
-pub const CIRCLES_DEG: [f64; 3] = [30.0, 60.0, 80.0];
+pub const CIRCLES_DEG: [f64; 3] = [30.0, 60.0, UNRELIABLE_THETA_DEG];
 
 /// How far the tips of the vectors are from the origin.
 pub const VECTOR: f64 = 1.1;
