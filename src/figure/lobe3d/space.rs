@@ -2,6 +2,7 @@
 
 use super::lobes::Lobes;
 use crate::figure::palette::{Ink, Palette, Role};
+use crate::geom::limits::UNRELIABLE_THETA_DEG;
 use crate::geom::{direction, mirror};
 use glam::DVec3;
 use std::f64::consts::{FRAC_PI_2, TAU};
