@@ -33,7 +33,8 @@ pub fn list(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
             named.push((name, path));
         }
     }
-    named.sort_by(|a, b| natural_order(&a.0, &b.0));
+    // Names that are not UTF-8 may look alike.
+    named.sort_by(|a, b| natural_order(&a.0, &b.0).then_with(|| a.1.cmp(&b.1)));
     Ok(named.into_iter().map(|(_, path)| path).collect())
 }
 
