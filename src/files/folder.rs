@@ -180,4 +180,22 @@ mod tests {
         assert_eq!(names, expected);
         assert!(list(&good).is_err());
     }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn names_that_look_alike_are_in_one_order() {
+        use std::ffi::OsStr;
+        use std::os::unix::ffi::OsStrExt as _;
+        let folder = tempfile::tempdir().expect("a folder");
+        // Scattered, as the file system may list them as they were made.
+        let bytes: Vec<u8> = (0..16).map(|k| 0x80 + (k * 7) % 16).collect();
+        for byte in &bytes {
+            let path = folder.path().join(OsStr::from_bytes(&[*byte]));
+            std::fs::write(path, b"").expect("written");
+        }
+        let listed = list(folder.path()).expect("listed");
+        assert_eq!(listed.len(), bytes.len());
+        assert!(listed.iter().all(|path| shown_name(path) == "\u{fffd}"));
+        assert!(listed.is_sorted());
+    }
 }

@@ -163,7 +163,7 @@ mod tests {
         many: VecDeque<PathBuf>,
     }
 
-    fn read(value: serde_json::Value) -> Result<PathBuf, String> {
+    fn read(value: &serde_json::Value) -> Result<PathBuf, String> {
         let held: Result<Held, _> = serde_json::from_value(json!({ "one": value }));
         held.map(|held| held.one).map_err(|error| error.to_string())
     }
@@ -189,7 +189,7 @@ mod tests {
             // What serde makes of the paths themselves.
             let plain = json!({"one": path, "perhaps": path, "many": [path, path]});
             assert_eq!(serde_json::to_value(&held).expect("is written"), plain);
-            assert_eq!(read(json!(text)), Ok(path.clone()));
+            assert_eq!(read(&json!(text)), Ok(path.clone()));
             assert_eq!(cell(&path), text);
         }
     }
@@ -203,7 +203,7 @@ mod tests {
             json!({"bytes": 7}),
             json!({"bytes": "/a", "more": 1}),
         ] {
-            let said = read(value).expect_err("no path");
+            let said = read(&value).expect_err("no path");
             assert!(said.contains("expected a path"), "{said}");
         }
     }
@@ -231,7 +231,7 @@ mod tests {
             let cell = cell(path);
             let again = match path.to_str() {
                 Some(_) => PathBuf::from(cell),
-                None => read(serde_json::from_str(&cell).expect("JSON")).expect("a path"),
+                None => read(&serde_json::from_str(&cell).expect("JSON")).expect("a path"),
             };
             assert_eq!(again, path);
         }
@@ -252,7 +252,7 @@ mod tests {
                 leads_back(&path(bytes));
             }
             // By hand: small digits, and a % that is none.
-            assert_eq!(read(json!({"bytes": "/%e9/50%"})), Ok(path(b"/\xe9/50%")));
+            assert_eq!(read(&json!({"bytes": "/%e9/50%"})), Ok(path(b"/\xe9/50%")));
         }
 
         #[test]

@@ -6,7 +6,7 @@ use super::fits::SourceFile;
 use super::path_text;
 use super::paths::{absolute, material_name};
 use serde::{Deserialize, Serialize};
-use std::ffi::{OsStr, OsString};
+use std::ffi::OsStr;
 use std::path::{Component, Path, PathBuf};
 
 /// Key that every session has; its value is the version of the format.
@@ -121,7 +121,7 @@ fn relative(folder: &Path, file: &Path) -> Option<PathBuf> {
     let down = to[shared..].iter().map(|part| part.as_os_str());
     // `PathBuf::push` would put `\` between them on Windows.
     let parts: Vec<&OsStr> = up.chain(down).collect();
-    Some(OsString::from(parts.join(OsStr::new("/"))).into())
+    Some(parts.join(OsStr::new("/")).into())
 }
 
 /// Path without `.` and `..`, resolved without looking at the disk.
