@@ -33,7 +33,8 @@ pub fn list(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
             named.push((name, path));
         }
     }
-    named.sort_by(|a, b| natural_order(&a.0, &b.0));
+    // Names that are not UTF-8 may look alike.
+    named.sort_by(|a, b| natural_order(&a.0, &b.0).then_with(|| a.1.cmp(&b.1)));
     Ok(named.into_iter().map(|(_, path)| path).collect())
 }
 
@@ -178,5 +179,23 @@ mod tests {
         ];
         assert_eq!(names, expected);
         assert!(list(&good).is_err());
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn names_that_look_alike_are_in_one_order() {
+        use std::ffi::OsStr;
+        use std::os::unix::ffi::OsStrExt as _;
+        let folder = tempfile::tempdir().expect("a folder");
+        // Scattered, as the file system may list them as they were made.
+        let bytes: Vec<u8> = (0..16).map(|k| 0x80 + (k * 7) % 16).collect();
+        for byte in &bytes {
+            let path = folder.path().join(OsStr::from_bytes(&[*byte]));
+            std::fs::write(path, b"").expect("written");
+        }
+        let listed = list(folder.path()).expect("listed");
+        assert_eq!(listed.len(), bytes.len());
+        assert!(listed.iter().all(|path| shown_name(path) == "\u{fffd}"));
+        assert!(listed.is_sorted());
     }
 }

@@ -7,6 +7,7 @@ pub mod fits;
 pub mod folder;
 mod model_export;
 mod open;
+pub mod path_text;
 mod paths;
 pub mod session;
 mod write;
@@ -18,5 +19,5 @@ pub use open::{
     Json, OnProgress, OpenedSource, identify, open_json, open_measured, open_model, open_models,
     open_source, open_table, read_text,
 };
-pub use paths::{absolute, material_name, place};
+pub use paths::{absolute, last_name, material_name, place};
 pub use write::{check_writable, write_atomically};

@@ -225,7 +225,7 @@ impl Hashing {
     fn finish(self, path: &Path, len: u64) -> SourceFile {
         let digest = self.hasher.finalize();
         SourceFile {
-            path: absolute(path).display().to_string(),
+            path: absolute(path),
             bytes: Some(len),
             sha256: Some(digest.iter().map(|byte| format!("{byte:02x}")).collect()),
         }

@@ -1,5 +1,6 @@
 //! Absolute and canonical paths, and material names from paths.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 /// Absolute path with links unresolved; the path unchanged where the current directory is gone.
@@ -19,6 +20,15 @@ pub fn place(path: &Path) -> PathBuf {
     ) {
         (Some(folder), Some(name)) => folder.join(name),
         _ => path,
+    }
+}
+
+/// Name of the file at the end of a path that may come from another system: what follows the last `/` or `\`.
+pub fn last_name(path: &Path) -> &OsStr {
+    match path.to_str() {
+        Some(text) => OsStr::new(text.rsplit(['/', '\\']).next().unwrap_or(text)),
+        // A path of another system is UTF-8, or it could not be read.
+        None => path.file_name().unwrap_or(path.as_os_str()),
     }
 }
 

@@ -3,8 +3,10 @@
 //! The window interprets their content; `docs/formats.md` documents its keys.
 
 use super::fits::SourceFile;
+use super::path_text;
 use super::paths::{absolute, material_name};
 use serde::{Deserialize, Serialize};
+use std::ffi::OsStr;
 use std::path::{Component, Path, PathBuf};
 
 /// Key that every session has; its value is the version of the format.
@@ -39,10 +41,11 @@ pub fn name(path: &Path) -> String {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SavedSource {
     /// Absolute path of the file.
-    pub path: String,
+    #[serde(with = "path_text")]
+    pub path: PathBuf,
     /// Path relative to the folder of the session file, with `/` between the parts; `None` where there is none.
-    #[serde(default)]
-    pub relative: Option<String>,
+    #[serde(default, with = "path_text")]
+    pub relative: Option<PathBuf>,
     /// Length of the file in bytes; `None` where not known.
     #[serde(default)]
     pub bytes: Option<u64>,
@@ -78,7 +81,7 @@ impl SavedSource {
 
     /// Sets the relative path for a session file in this folder.
     pub fn place_in(&mut self, folder: &Path) {
-        let to = self.beside.as_deref().unwrap_or(Path::new(&self.path));
+        let to = self.beside.as_deref().unwrap_or(&self.path);
         self.relative = relative(folder, to);
     }
 
@@ -107,18 +110,18 @@ impl SavedSource {
 
 /// Relative path from a folder to a file, with `/` between the parts; `None` where there is none, as between two
 /// drives.
-fn relative(folder: &Path, file: &Path) -> Option<String> {
+fn relative(folder: &Path, file: &Path) -> Option<PathBuf> {
     let (folder, file) = (tidy(&absolute(folder)), tidy(file));
     let (from, to): (Vec<_>, Vec<_>) = (folder.components().collect(), file.components().collect());
     let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
     if shared == 0 {
         return None;
     }
-    let up = (shared..from.len()).map(|_| "..".to_string());
-    let down = to[shared..]
-        .iter()
-        .map(|part| part.as_os_str().to_string_lossy().into_owned());
-    Some(up.chain(down).collect::<Vec<_>>().join("/"))
+    let up = (shared..from.len()).map(|_| OsStr::new(".."));
+    let down = to[shared..].iter().map(|part| part.as_os_str());
+    // `PathBuf::push` would put `\` between them on Windows.
+    let parts: Vec<&OsStr> = up.chain(down).collect();
+    Some(parts.join(OsStr::new("/")).into())
 }
 
 /// Path without `.` and `..`, resolved without looking at the disk.
@@ -143,7 +146,7 @@ mod tests {
     fn source(path: &str, relative: Option<&str>) -> SavedSource {
         SavedSource {
             path: path.into(),
-            relative: relative.map(str::to_owned),
+            relative: relative.map(PathBuf::from),
             bytes: None,
             sha256: None,
             beside: None,
@@ -162,7 +165,7 @@ mod tests {
         ] {
             let mut saved = source(file, None);
             saved.place_in(Path::new(folder));
-            assert_eq!(saved.relative.as_deref(), Some(expected));
+            assert_eq!(saved.relative.as_deref(), Some(Path::new(expected)));
             assert_eq!(saved.places(Path::new(folder))[0], Path::new(file));
         }
     }

@@ -46,7 +46,7 @@ pub fn record(material: &str, source: Option<SourceFile>, brdf: Brdf, error: f64
 /// A measured file of which a fit knows the path alone.
 pub fn only_named(path: impl AsRef<Path>) -> SourceFile {
     SourceFile {
-        path: path.as_ref().display().to_string(),
+        path: path.as_ref().to_owned(),
         bytes: None,
         sha256: None,
     }

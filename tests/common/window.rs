@@ -3,8 +3,8 @@
 use super::wait;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
-use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use egui_kittest::{Harness, HarnessBuilder};
 use grazing::app::command::Command;
 use grazing::app::msg::Msg;
 use grazing::app::state::State;
@@ -45,7 +45,17 @@ pub fn window_with(files: Vec<PathBuf>, picker: Picker) -> Window {
 
 /// A window that starts like this.
 pub fn window_of(options: Options) -> Window {
-    let mut window = Harness::builder()
+    built(Harness::builder(), options)
+}
+
+/// The same, where texts may have characters that no font has: boxes stand for them, as in the program. Elsewhere such
+/// a character fails the test.
+pub fn window_with_boxes(options: Options) -> Window {
+    built(Harness::builder().allow_missing_glyphs(), options)
+}
+
+fn built(builder: HarnessBuilder<App>, options: Options) -> Window {
+    let mut window = builder
         .with_size([1280.0, 800.0])
         .with_step_dt(0.03)
         .with_theme(egui::Theme::Dark)

@@ -13,5 +13,6 @@ mod cli_export;
 mod cli_figure;
 mod cli_fit;
 mod cli_render;
+mod odd_names;
 mod startup;
 mod views;

@@ -28,6 +28,7 @@ mod lessons;
 mod library;
 mod lobe3d;
 mod look;
+mod odd_names;
 mod open_fit;
 mod paper;
 mod parity;

@@ -149,7 +149,7 @@ fn a_measured_file_that_is_missing_or_changed_is_named() {
     let folder = Folder::new();
     let [gold, fits] = ["gold.binary", "fits.json"].map(|name| folder.path(name));
     let gone = SourceFile {
-        path: gold.display().to_string(),
+        path: gold.clone(),
         bytes: Some(1),
         sha256: Some("00".repeat(32)),
     };

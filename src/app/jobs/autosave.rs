@@ -77,10 +77,7 @@ impl Autosave {
             .map_err(cannot)?;
         new.as_file().lock().map_err(cannot)?;
         let lock_path = new.path().with_extension("lock");
-        let file = PathBuf::from(format!(
-            "{}{ENDING}",
-            new.path().with_extension("").display()
-        ));
+        let file = file_of(&lock_path);
         let lock = new
             .persist(&lock_path)
             .map_err(|error| cannot(error.error))?;
@@ -125,7 +122,7 @@ impl Autosave {
     fn write(&self, state: &State, jobs: &Jobs) {
         let mut session = SessionFile::of(state);
         let saved_as = state.session.files.get(&state.scene.session);
-        session.saved_as = saved_as.and_then(|path| path.to_str()).map(str::to_owned);
+        session.saved_as = saved_as.cloned();
         let file = self.file.clone();
         let (ended, busy) = (Arc::clone(&self.ended), Arc::clone(&self.busy));
         let restored = state.session.restored.clone();
@@ -182,11 +179,15 @@ fn remove_restored(files: &[PathBuf]) {
 
 /// The lock beside an autosaved file.
 fn lock_of(file: &Path) -> PathBuf {
-    let name = file.to_string_lossy();
-    PathBuf::from(format!(
-        "{}.lock",
-        name.strip_suffix(ENDING).unwrap_or(&name)
-    ))
+    // Both parts of the ending go.
+    file.with_extension("").with_extension("lock")
+}
+
+/// The file that is beside a lock or will be.
+fn file_of(lock: &Path) -> PathBuf {
+    let mut file = lock.with_extension("").into_os_string();
+    file.push(ENDING);
+    file.into()
 }
 
 /// The locks of runs that are gone, now held by this one, and what they have left, the newest first.
@@ -204,7 +205,7 @@ fn runs_before(folder: &Path) -> io::Result<(Vec<File>, Vec<Crashed>)> {
         if held.try_lock().is_err() {
             continue;
         }
-        let file = PathBuf::from(format!("{}{ENDING}", lock.with_extension("").display()));
+        let file = file_of(&lock);
         if file.is_file() {
             let age = Crashed::age_of(&file);
             crashed.push(Crashed { file, lock, age });

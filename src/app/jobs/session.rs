@@ -90,12 +90,11 @@ fn write(session: SessionFile, path: &Path, asked: bool) -> Result<PathBuf, File
 }
 
 /// The first material is in the file that was chosen; the others where they lie beside it under their names.
-fn beside<T>(chosen: &Path, wanted: Vec<(T, String)>) -> Vec<(T, PathBuf)> {
+fn beside<T>(chosen: &Path, wanted: Vec<(T, PathBuf)>) -> Vec<(T, PathBuf)> {
     let folder = chosen.parent().unwrap_or(Path::new(""));
     let mut found = Vec::new();
     for (index, (id, path)) in wanted.into_iter().enumerate() {
-        let name = path.rsplit(['/', '\\']).next().unwrap_or(&path);
-        let here = folder.join(name);
+        let here = folder.join(files::last_name(&path));
         if index == 0 {
             found.push((id, chosen.to_owned()));
         } else if here.is_file() {

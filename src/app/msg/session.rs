@@ -44,7 +44,7 @@ pub enum SessionTask {
         name: String,
     },
     /// Ask for the file of the first of these; the others may lie beside it.
-    Locate(Vec<(MaterialId, String)>),
+    Locate(Vec<(MaterialId, PathBuf)>),
     /// Remove what a run has left.
     Remove(Crashed),
 }

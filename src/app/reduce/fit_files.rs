@@ -58,7 +58,7 @@ pub(crate) fn arrived(state: &mut State, id: MaterialId, fits: &MaterialFits) {
     };
     if then.same_data(now) == Some(false) {
         let what = format!("the data of {name} have changed since the fit");
-        let text = FileError::new(Path::new(&now.path), what).to_string();
+        let text = FileError::new(&now.path, what).to_string();
         notify(state, Level::Info, text);
     }
 }
@@ -80,7 +80,7 @@ fn find_open(state: &State, fits: &MaterialFits) -> Option<usize> {
     };
     let same_path = |material: &Material| {
         let source = material.source.as_ref();
-        source.is_some_and(|source| fits.places.iter().any(|at| at == Path::new(&source.path)))
+        source.is_some_and(|source| fits.places.contains(&source.path))
     };
     let same_data = |material: &Material| {
         let (Some(a), Some(b)) = (&material.source, &fits.source) else {

@@ -98,7 +98,7 @@ fn add(state: &mut State, path: &Path, saved: &SavedMaterial, place: Place) -> M
     let (origin, presence) = match (&saved.source, sample, place.found) {
         (Some(_), _, Some(file)) => {
             if let Some(source) = &mut source {
-                source.path = file.display().to_string();
+                source.path.clone_from(&file);
             }
             state.session.unread.insert(id);
             (Origin::File(file), Presence::Evicted)
@@ -110,7 +110,7 @@ fn add(state: &mut State, path: &Path, saved: &SavedMaterial, place: Place) -> M
                 tried: place.tried,
                 skipped: false,
             });
-            (Origin::File(source.path.clone().into()), Presence::Missing)
+            (Origin::File(source.path.clone()), Presence::Missing)
         }
         (None, Some(index), _) => (Origin::Sample(index), Presence::Evicted),
         // A model and nothing else.
@@ -182,13 +182,13 @@ fn settings(saved: &SavedFitting) -> Settings {
 }
 
 /// The name of the session; what is restored has the one that it had.
-fn name(state: &mut State, number: u64, path: &Path, saved_as: Option<String>) {
+fn name(state: &mut State, number: u64, path: &Path, saved_as: Option<PathBuf>) {
     let restored = state.session.restoring.take_if(|other| other == path);
     match (restored, saved_as) {
         (Some(restored), saved_as) => {
             state.session.restored.push(restored);
             if let Some(file) = saved_as {
-                state.session.files.insert(number, file.into());
+                state.session.files.insert(number, file);
             }
         }
         (None, _) => {
@@ -237,7 +237,7 @@ pub(crate) fn located(state: &mut State, found: Vec<(MaterialId, PathBuf)>) -> V
         }
         let path = files::absolute(&path);
         if let Some(source) = &mut material.source {
-            source.path = path.display().to_string();
+            source.path.clone_from(&path);
         }
         material.origin = Origin::File(path);
         material.presence = Presence::Evicted;

@@ -7,6 +7,7 @@ use crate::brdf;
 use crate::brdf::{Brdf, params};
 use crate::files::fits;
 use crate::files::fits::FitRecord;
+use crate::files::path_text;
 use crate::files::session::SavedSource;
 use crate::fit::Weight;
 use crate::fit::options::NO_LIMIT;
@@ -17,7 +18,7 @@ use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The version of the format that is written, and the only one that is read.
 pub const VERSION: u64 = 1;
@@ -32,8 +33,11 @@ pub struct SessionFile {
     /// Its version.
     pub version: String,
     /// The session file that an autosave belongs to.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub saved_as: Option<String>,
+    #[serde(
+        serialize_with = "path_text::serialize",
+        skip_serializing_if = "Option::is_none"
+    )]
+    pub saved_as: Option<PathBuf>,
     /// Open materials in their order.
     pub materials: Vec<SavedMaterial>,
     /// Position of the shown one.

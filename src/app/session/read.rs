@@ -8,9 +8,11 @@ use crate::app::state::layout::Tiles;
 use crate::app::state::settings_map::SettingsMap;
 use crate::app::state::views::VIEWS;
 use crate::brdf::{Brdf, Fresnel, MODELS, Params};
+use crate::files::path_text::PathText;
 use crate::files::session::KEY;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
+use std::path::PathBuf;
 
 /// How many places are named in one line.
 const NAMED: usize = 4;
@@ -134,7 +136,9 @@ impl Reader {
             grazing_session: VERSION,
             program,
             version,
-            saved_as: self.part(given, "", "saved_as", None),
+            saved_as: self
+                .part(given, "", "saved_as", None::<PathText>)
+                .map(PathBuf::from),
             materials,
             shown: self.part(given, "", "shown", 0),
             hidden: self.part(given, "", "hidden", Vec::new()),

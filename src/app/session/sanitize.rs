@@ -44,7 +44,10 @@ fn material(material: &mut SavedMaterial, index: usize) {
     let known = |key: &String| SAMPLES.iter().any(|sample| sample.key == key);
     material.sample = material.sample.take().filter(known);
     // An empty path would be the folder.
-    material.source = material.source.take().filter(|s| !s.path.is_empty());
+    material.source = material
+        .source
+        .take()
+        .filter(|s| !s.path.as_os_str().is_empty());
     let mut seen = Vec::new();
     material.fits.retain(|fit| {
         let variant = crate::fit::Variant::from(&fit.record.brdf);

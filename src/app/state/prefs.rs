@@ -1,6 +1,7 @@
 //! What is kept between runs.
 
 use crate::app::state::figure::FigurePrefs;
+use crate::files::path_text;
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use std::path::PathBuf;
@@ -10,10 +11,12 @@ use std::path::PathBuf;
 #[serde(default)]
 pub struct Prefs {
     /// Files opened lately, the last first.
+    #[serde(with = "path_text")]
     pub recent: VecDeque<PathBuf>,
     /// Light, dark, or as the system.
     pub theme: Theme,
     /// The folder that was open last.
+    #[serde(with = "path_text")]
     pub folder: Option<PathBuf>,
     /// How figures look.
     pub figure: FigurePrefs,

@@ -3,6 +3,7 @@
 use super::json::angle_key;
 use super::record::FitRecord;
 use crate::brdf::params;
+use crate::files::path_text;
 use crate::fit::Partial;
 use crate::fit::outcome::ALBEDO_ANGLES;
 use std::io::{self, Write};
@@ -74,7 +75,7 @@ fn row(fit: &FitRecord) -> Vec<String> {
     row.extend(fit.albedo.as_flattened().iter().copied().map(number));
     let (path, sha256) = match &fit.source {
         Some(source) => (
-            source.path.clone(),
+            path_text::cell(&source.path),
             source.sha256.clone().unwrap_or_default(),
         ),
         None => Default::default(),

@@ -1,6 +1,8 @@
 //! Contents of a fit file as data.
 
 use crate::brdf::{Brdf, Params};
+use crate::files::path_text;
+use crate::files::paths::last_name;
 use crate::fit::{EndReason, Errors, FitOptions, Outcome, Stage, Weight};
 use crate::geom::Rgb;
 use serde::{Deserialize, Serialize};
@@ -10,7 +12,8 @@ use std::path::{Path, PathBuf};
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SourceFile {
     /// Path of the file, absolute where this program wrote it.
-    pub path: String,
+    #[serde(with = "path_text")]
+    pub path: PathBuf,
     /// Length of the file in bytes; `None` where not known.
     pub bytes: Option<u64>,
     /// SHA-256 of the file's bytes in hexadecimal; `None` where not known.
@@ -27,9 +30,7 @@ impl SourceFile {
     /// Paths at which the file may be, in the order in which to look: its path, relative to `folder` if it is not
     /// absolute; its name in `folder`, as happens when both were moved.
     pub fn places(&self, folder: &Path) -> [PathBuf; 2] {
-        // The path may come from another system.
-        let name = self.path.rsplit(['/', '\\']).next().unwrap_or(&self.path);
-        [folder.join(&self.path), folder.join(name)]
+        [folder.join(&self.path), folder.join(last_name(&self.path))]
     }
 }
 
