@@ -70,7 +70,7 @@ pub struct Args {
     force: bool,
 }
 
-/// How the figure looks; what is not given is as the figure or the preset has it.
+/// Look of the figure; what is not given is as the figure or the preset has it.
 #[derive(clap::Args)]
 struct Look {
     /// Width of the page in millimetres

@@ -63,8 +63,12 @@ pub struct Args {
     /// How a value is taken from a measured table
     #[arg(long, default_value = Lookup::default().key(), value_parser = eval::lookup_parser())]
     lookup: Lookup,
-    /// What is behind the sphere
-    #[arg(long, value_enum, default_value_t = Background::Transparent)]
+    #[arg(
+        long,
+        value_enum,
+        default_value_t = Background::Transparent,
+        help = "What is behind the sphere"
+    )]
     background: Background,
     /// Replace the output file if it exists
     #[arg(long)]

@@ -1,4 +1,4 @@
-//! What a figure needs before it can be drawn: data in memory, surveys of a fit.
+//! Preparation of a figure before it can be drawn: data in memory, surveys of a fit.
 
 use super::error::ExportError;
 use super::fit_output;
@@ -14,10 +14,10 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// What drawing needs besides the figure itself.
+/// Data that drawing needs besides the figure itself.
 #[derive(Clone, Debug)]
 pub struct Prepared {
-    /// In the order of the figure.
+    /// Subjects in the order of the figure.
     pub subjects: Vec<Subject>,
     /// An entry per panel, row by row.
     pub made: Vec<Option<FitOutput>>,

@@ -11,14 +11,14 @@ use serde::{Deserialize, Serialize};
 use std::io::Cursor;
 use std::path::Path;
 
-/// What a figure is written as.
+/// File format of a figure.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Format {
     /// Lines and text that stay such.
     #[default]
     Svg,
-    /// The same, for LaTeX.
+    /// Vector graphics, for LaTeX.
     Pdf,
     /// Pixels.
     Png,
@@ -28,7 +28,7 @@ pub enum Format {
     Exr,
 }
 
-/// All of them in the order offered.
+/// Formats in the order offered.
 pub const FORMATS: [Format; 5] = [
     Format::Svg,
     Format::Pdf,

@@ -19,7 +19,7 @@ use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
 use std::ops::ControlFlow;
 
-/// What comes back of light from one angle.
+/// Directional albedo at one angle of incidence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AlbedoPoint {
     /// Angle of incidence in radians.
@@ -78,17 +78,17 @@ pub fn curve(
 /// The albedos of a subject, where they are known.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct AlbedoCurve<'a> {
-    /// By ascending θi.
+    /// Samples of the curve, by ascending θi.
     pub points: &'a [AlbedoPoint],
     /// Whether they are of other parameters than the subject's, and drawn paler.
     pub old: bool,
 }
 
-/// What a plot of albedos shows.
+/// Settings of a plot of albedos.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct AlbedoSpec {
-    /// What of the colours is plotted.
+    /// Colour channel that is plotted.
     pub channel: Channel,
     /// The part of θi that is seen, in radians; all of it without.
     #[serde(with = "degrees")]
@@ -105,9 +105,9 @@ pub struct AlbedoSpec {
 pub struct AlbedoPlot {
     /// The picture.
     pub drawing: Drawing,
-    /// Where values are in it: x in degrees.
+    /// Map between values and points of the drawing: x in degrees.
     pub frame: Frame,
-    /// Where the names of the subjects are.
+    /// Places of the subjects' names.
     pub legend: Vec<LegendEntry>,
 }
 

@@ -1,4 +1,4 @@
-//! Where the error of a model comes from, as colours: shares of E over the directions, or over θh and θd.
+//! Error map, as colours: shares of E over the directions, or over θh and θd.
 
 mod panel;
 
@@ -20,12 +20,12 @@ pub enum Plane {
     HalfDiff,
 }
 
-/// What an error map shows of its shares.
+/// Settings of an error map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ErrorSpec {
-    /// Which axes.
+    /// Axes of the map.
     pub plane: Plane,
-    /// How shares become colours.
+    /// Law from shares to colours.
     pub scale: RadialScale,
     /// The part in sight.
     pub view: View,
@@ -65,7 +65,7 @@ impl ErrorSpec {
         })
     }
 
-    /// How they are shown.
+    /// Spec of the heat map that shows `field`.
     pub fn heat_spec(&self, name: &str, field: &Field) -> HeatSpec {
         let percent = |error: f64| format!("{:.2} %", 100.0 * error);
         let channel = |k: usize| {

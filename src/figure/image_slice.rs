@@ -1,6 +1,6 @@
 //! The image slice: f_r over θh and θd at one φd, cell by cell of the MERL grid [Burley12].
 //!
-//! What is measured is shown as it stands in the table, so a cell has one value: at the middle of its θh and θd and at
+//! Measured values are shown as they stand in the table, so a cell has one value: at the middle of its θh and θd and at
 //! the chosen φd.
 
 mod panel;
@@ -17,7 +17,7 @@ use crate::measured::Grid;
 use crate::measured::grid::{THETA_D_BINS, THETA_H_BINS};
 use serde::{Deserialize, Serialize};
 
-/// What an image slice shows.
+/// Settings of an image slice.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct ImageSpec {
@@ -28,9 +28,9 @@ pub struct ImageSpec {
     pub phi_d: f64,
     /// Whether θh is spread by its square root, so that all cells are of one size.
     pub root: bool,
-    /// How values become colours; ratios are always by their logarithm.
+    /// Law from values to colours; ratios are always by their logarithm.
     pub scale: RadialScale,
-    /// What of the colours is shown.
+    /// Colour channel that is shown.
     pub channel: Channel,
     /// Cosines that f_r is multiplied by.
     #[serde(rename = "with_cosine")]
@@ -81,7 +81,7 @@ impl ImageSpec {
         }
     }
 
-    /// What is shown at some angles.
+    /// Cell at some angles: its value, or that it has none.
     pub fn cell(
         &self,
         measured: Option<&Source>,
@@ -111,8 +111,8 @@ impl ImageSpec {
         )
     }
 
-    /// How the field is shown. `reference` has the values that the colours are made for: the data's, so that data and
-    /// model have the same colours.
+    /// Spec of the heat map that shows `field`. `reference` has the values that the colours are made for: the data's, so
+    /// that data and model have the same colours.
     pub fn heat_spec(&self, name: &str, field: &Field, reference: &Field) -> HeatSpec {
         let what = format!("f_{{r}}{}", self.cosine.markup());
         let channel = self.channel.name();
@@ -167,7 +167,7 @@ impl ImageSpec {
         self.shown.colors(self.scale, limits, &values, &reference)
     }
 
-    /// Where the more grazing one of light and view is at an angle, in degrees of (θh, θd):
+    /// Line on which the more grazing one of light and view is at the angle `theta`, in degrees of (θh, θd):
     /// cos θh cos θd − sin θh sin θd |cos φd| = cos.
     fn grazing(&self, theta: f64) -> Vec<[f64; 2]> {
         let across = self.phi_d.cos().abs();

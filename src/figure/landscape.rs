@@ -10,16 +10,16 @@ use super::contour::contours;
 use super::heatmap::{ColorScale, Curve, CurveKind, HeatSpec, Law, Side, Spot, View};
 use super::scale::number;
 
-/// What is shown over a terrain.
+/// Settings of a landscape besides its terrain.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LandscapeSpec {
-    /// What becomes of η, in the markup of [`super::text`].
+    /// Words for η in the title, such as "η = 1.5", in the markup of [`super::text`].
     pub eta: String,
     /// The part in sight.
     pub view: View,
     /// (s, α) of a fit, from its start to its end.
     pub path: Vec<[f64; 2]>,
-    /// Where the sliders stand.
+    /// (s, α) at which the sliders stand.
     pub here: Option<[f64; 2]>,
     /// The best node and its E in percent; measured on all cells.
     pub best: Option<([f64; 2], f64)>,
@@ -57,7 +57,7 @@ fn rounded(value: f64) -> f64 {
 }
 
 impl LandscapeSpec {
-    /// How a terrain is shown.
+    /// Spec of the heat map that shows a terrain.
     pub fn heat_spec(&self, name: &str, terrain: &Terrain) -> HeatSpec {
         let (low, high) = terrain.ends().unwrap_or((1.0, 10.0));
         let ends = |axis: &[f64], missing: (f64, f64)| match axis {

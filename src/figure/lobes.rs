@@ -24,11 +24,11 @@ use super::subject::Subject;
 pub struct LobePlot {
     /// The picture.
     pub drawing: Drawing,
-    /// Where angles and values are in it.
+    /// Map between angles, values and points of the drawing.
     pub frame: LobeFrame,
-    /// What is drawn as numbers, for hovering and for tables.
+    /// Curves as numbers, for hovering and for tables.
     pub traces: Vec<Trace>,
-    /// Where the names of the subjects are.
+    /// Places of the subjects' names.
     pub legend: Vec<LegendEntry>,
 }
 

@@ -1,4 +1,4 @@
-//! What is drawn, as data: a spec and its curves become a [`Drawing`], which the painter and the writers walk. Pure.
+//! Figures as data: a spec and its curves become a [`Drawing`], which the painter and the writers walk. Pure.
 //!
 //! A new view is a folder that builds a `Drawing`, and a line of the list at the end; a new format is a file that walks a
 //! `Drawing`.

@@ -13,7 +13,7 @@ use super::text::{RichText, elided};
 /// A material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ScatterDot {
-    /// Its name.
+    /// Display name.
     pub name: String,
     /// Exponent of the combined model, > 0.
     pub s: f64,
@@ -31,7 +31,7 @@ pub struct ScatterDot {
 const DECADES: f64 = 2.0;
 /// α at the lower and upper edge: what is beyond 0 and 1 is room for words.
 const EDGES: (f64, f64) = (-0.1, 1.1);
-/// How near in points a dot must be to be meant.
+/// Largest distance in points at which the pointer still means a dot.
 const NEAR: f32 = 14.0;
 /// Longest name in units of the font size.
 const NAME_EM: f32 = 14.0;
@@ -39,11 +39,11 @@ const NAME_EM: f32 = 14.0;
 /// The plot with what is where in it.
 #[derive(Clone, Debug)]
 pub struct ScatterPlot {
-    /// What is painted.
+    /// Picture of the plot.
     pub drawing: Drawing,
-    /// Where values are.
+    /// Map between values and points of the drawing.
     pub frame: Frame,
-    /// Where the dots are, in the order of the list; `None` for what has no place on the axes.
+    /// Points of the dots, in the order of the list; `None` for what has no place on the axes.
     pub places: Vec<Option<Point>>,
 }
 

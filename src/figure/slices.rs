@@ -20,15 +20,15 @@ use super::subject::Subject;
 pub struct SlicePlot {
     /// The picture.
     pub drawing: Drawing,
-    /// Where values are in it: x in degrees, y in 1/sr.
+    /// Map between values and points of the drawing: x in degrees, y in 1/sr.
     pub frame: Frame,
-    /// The same of the residuals below, if there are any.
+    /// Map between values and points of the panel of residuals below, if there are any.
     pub strip: Option<Frame>,
-    /// What is drawn as numbers, within the window.
+    /// Curves as numbers, within the window.
     pub traces: Vec<SliceTrace>,
     /// The residuals as numbers.
     pub residuals: Vec<ResidualTrace>,
-    /// Where the names of the subjects are.
+    /// Places of the subjects' names.
     pub legend: Vec<LegendEntry>,
 }
 

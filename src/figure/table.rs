@@ -6,14 +6,14 @@ use super::cosine::CosineFactor;
 use super::heatmap::Field as Cells;
 use super::subject::{Channel, Look, Subject};
 
-/// What stands in a field.
+/// Content of a field.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Field {
     /// Words.
     Text(String),
     /// A number.
     Number(f64),
-    /// Nothing.
+    /// No content.
     Empty,
 }
 
@@ -45,7 +45,7 @@ impl From<&str> for Field {
 pub struct Table {
     /// Names of the columns.
     pub columns: Vec<&'static str>,
-    /// As many fields as columns in each.
+    /// Rows, with as many fields in each as there are columns.
     pub rows: Vec<Vec<Field>>,
 }
 
@@ -84,7 +84,7 @@ impl Table {
         all
     }
 
-    /// As text with `separator` between fields, quoted where they hold it. Numbers are read back as the same f64.
+    /// Text with `separator` between fields, quoted where they hold it. Numbers are read back as the same f64.
     pub fn text(&self, separator: char) -> String {
         let mut text = self.columns.join(&separator.to_string());
         text.push('\n');

@@ -2,10 +2,10 @@
 //!
 //! A level ends at the next `}`; levels do not nest. Whatever is not markup is text, so parsing never fails.
 
-/// How high a run stands.
+/// Height of a run in its line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Level {
-    /// On the line.
+    /// Text on the line.
     Base,
     /// Below it and smaller.
     Sub,
@@ -29,16 +29,16 @@ impl Level {
 /// A piece of text on one level; never empty.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Run {
-    /// What it says.
+    /// Characters of the run.
     pub text: String,
-    /// How high it stands.
+    /// Height in the line.
     pub level: Level,
 }
 
 /// One line of text with subscripts and superscripts.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct RichText {
-    /// From left to right.
+    /// Runs from left to right.
     pub runs: Vec<Run>,
 }
 
@@ -78,7 +78,7 @@ impl RichText {
         literal
     }
 
-    /// What it says, without levels: for screen readers and searching.
+    /// Characters without levels: for screen readers and searching.
     pub fn plain(&self) -> String {
         self.runs.iter().map(|run| run.text.as_str()).collect()
     }

@@ -1,4 +1,4 @@
-//! How E falls while a fit runs: over evaluations, stage after stage.
+//! Trace of a fit: E over evaluations, stage after stage.
 
 use super::drawing::{Anchor, Drawing, Item, Label, Point};
 use super::palette::{Ink, Role};
@@ -19,14 +19,14 @@ pub struct TracePoint {
     pub all_cells: bool,
 }
 
-/// What a trace shows.
+/// Settings and data of a trace.
 #[derive(Clone, Copy, Debug)]
 pub struct TraceSpec<'a> {
-    /// In the order in which they were said.
+    /// Points in the order in which they were reported.
     pub points: &'a [TracePoint],
     /// The material, which gives the colour.
     pub series: usize,
-    /// What is said where there is no point.
+    /// Sentence in place of the curve where there is no point.
     pub empty: &'a str,
 }
 

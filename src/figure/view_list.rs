@@ -1,9 +1,9 @@
 //! Turns the list of views into the type of a view on a page.
 
-/// Declares `ViewSpec`, an enum with a case per view, and what is the same of all of them.
+/// Declares `ViewSpec`, an enum with a case per view, and the functions that all views share.
 ///
-/// In files a view is an object with its name and its settings, such as `{"lobes": {"theta_i": [60]}}`; its name alone stands
-/// for the settings that it has by default.
+/// JSON: an object with its name and its settings, such as `{"lobes": {"theta_i": [60]}}`; its name alone stands for
+/// the settings that it has by default.
 macro_rules! view_list {
     ($($(#[$doc:meta])* $view:ident($spec:ty),)*) => {
         /// A view on a page: its kind and its settings.
@@ -29,7 +29,7 @@ macro_rules! view_list {
         }
 
         impl ViewSpec {
-            /// Every kind of view with its default settings.
+            /// Views with their default settings, one of each kind.
             pub fn defaults() -> Vec<Self> {
                 vec![$(Kind::$view.with_defaults(),)*]
             }
@@ -42,14 +42,14 @@ macro_rules! view_list {
                 $crate::keys::key_at::<Kind>(kind as usize)
             }
 
-            /// How it is drawn.
+            /// Settings as a panel that draws itself.
             pub fn panel(&self) -> &dyn $crate::figure::panel::PanelView {
                 match self {
                     $(Self::$view(spec) => spec,)*
                 }
             }
 
-            /// How it is drawn, to be changed.
+            /// Settings as a panel, to be changed.
             pub fn panel_mut(&mut self) -> &mut dyn $crate::figure::panel::PanelView {
                 match self {
                     $(Self::$view(spec) => spec,)*

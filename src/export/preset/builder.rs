@@ -19,7 +19,7 @@ pub(super) struct Builder<'a> {
 }
 
 impl Builder<'_> {
-    /// Each material's data, then its models.
+    /// Subjects: each material's data, then its models.
     pub fn subjects(&self) -> Vec<SubjectSpec> {
         let (all_models, alone) = (self.preset.all_models, self.materials.len() == 1);
         let mut subjects = Vec::new();
@@ -97,7 +97,7 @@ impl Builder<'_> {
         }
     }
 
-    /// As in the poster: what was measured and the models beside each other, spheres over lobes.
+    /// Rows of the poster: what was measured and the models beside each other, spheres over lobes.
     pub fn poster(&self) -> Vec<RowSpec> {
         let mut rows = Vec::new();
         for (index, material) in self.materials.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Where directions are in a disc.
+//! Map between directions and points of a disc.
 
 use super::projection::Projection;
 use crate::figure::drawing::Point;
@@ -8,11 +8,11 @@ use glam::DVec3;
 /// The disc in a drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DiscFrame {
-    /// Its middle, in points.
+    /// Middle of the disc in points: the normal.
     pub center: Point,
-    /// Its radius in points: the horizon.
+    /// Radius in points: the horizon.
     pub radius: f32,
-    /// How θo becomes a distance from the middle.
+    /// Law from θo to the distance from the middle.
     pub projection: Projection,
 }
 

@@ -11,7 +11,7 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
-/// What a disc shows.
+/// Settings of a disc: light, scale, projection, colours.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct DiscSpec {
@@ -23,9 +23,9 @@ pub struct DiscSpec {
     /// φi in radians, in [0, 2π).
     #[serde(with = "degrees")]
     pub phi_i: f64,
-    /// How θo becomes a distance from the middle.
+    /// Law from θo to the distance from the middle.
     pub projection: Projection,
-    /// How values become colours; ratios are always by their logarithm.
+    /// Law from values to colours; ratios are always by their logarithm.
     pub scale: RadialScale,
     /// Channel of the values.
     pub channel: Channel,
@@ -57,7 +57,7 @@ impl Default for DiscSpec {
 }
 
 impl DiscSpec {
-    /// To the light.
+    /// Unit vector to the light.
     pub fn wi(&self) -> DVec3 {
         let wi = direction(self.theta_i, self.phi_i);
         wi.with_z(wi.z.max(0.0))

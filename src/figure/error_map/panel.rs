@@ -13,13 +13,13 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct ErrorMapSpec {
-    /// Which axes.
+    /// Axes of the map.
     pub plane: Plane,
-    /// How shares become colours.
+    /// Law from shares to colours.
     pub scale: RadialScale,
     /// The part in sight.
     pub view: View,
-    /// How much a cell counts: the key of a weight.
+    /// Weight of the cells in E, by its key.
     pub weight: String,
     /// Grazing limit in radians.
     #[serde(with = "degrees")]

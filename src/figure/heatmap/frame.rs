@@ -1,4 +1,4 @@
-//! Where values are in a heat map, and which part of it is in sight.
+//! Map between values and points of a heat map, and the part of it that is in sight.
 
 use super::Side;
 use crate::figure::drawing::Point;
@@ -28,7 +28,7 @@ impl Default for View {
 const CLOSEST: f64 = 0.02;
 
 impl View {
-    /// Everything shrunk towards a share of the picture (from its lower left corner) by a factor: below 1 is nearer.
+    /// View shrunk towards a share of the picture (from its lower left corner) by a factor: below 1 is nearer.
     pub fn zoomed(self, at: [f64; 2], factor: f64) -> Self {
         let zoom = |(low, high): (f64, f64), at: f64| {
             let width = ((high - low) * factor).clamp(CLOSEST, 1.0);
@@ -80,11 +80,11 @@ pub struct HeatFrame {
     pub min: Point,
     /// Lower right corner.
     pub max: Point,
-    /// To the right.
+    /// Horizontal axis, to the right.
     pub x: Side,
     /// Upwards.
     pub y: Side,
-    /// What is in sight.
+    /// Part of the map in sight.
     pub view: View,
 }
 

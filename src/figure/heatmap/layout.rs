@@ -1,4 +1,4 @@
-//! How a heat map divides its rectangle: title, axes and colour bar around the cells.
+//! Layout of a heat map in its rectangle: title, axes and colour bar around the cells.
 
 use super::bar::{ColorBar, key_width_em};
 use super::{Cell, Field, HeatFrame, HeatSpec};
@@ -13,9 +13,9 @@ pub(super) const TICK: f32 = 4.0;
 pub(super) struct Plan {
     /// Font size.
     pub font: f32,
-    /// What it is, and the left end of its text.
+    /// Title, and the left end of its text.
     pub title: (RichText, Point),
-    /// Where the cells are.
+    /// Place of the cells.
     pub frame: HeatFrame,
     /// Right of the cells.
     pub bar: ColorBar,

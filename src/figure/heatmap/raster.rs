@@ -54,7 +54,7 @@ pub fn image(field: &Field, colors: &ColorScale, frame: &HeatFrame, smooth: bool
     }))
 }
 
-/// For every pixel the cell that it shows: one per cell where all are in sight and of the same size.
+/// Position of the cell that each pixel shows: one pixel per cell where all are in sight and of the same size.
 fn samples(
     edges: &[f64],
     length: f32,

@@ -14,7 +14,7 @@ fn brdf() -> Brdf {
     }
 }
 
-/// Every cell has a value of its own, some have none.
+/// Table in which every cell has a value of its own and some have none.
 fn table() -> Arc<Table> {
     let grid = Grid::FOLDED;
     let cells = (0..grid.len())

@@ -17,7 +17,7 @@ pub struct LandscapePanel {
     pub fresnel: String,
     /// η everywhere; the best one at each point without.
     pub eta: Option<f64>,
-    /// How much a cell counts: the key of a weight.
+    /// Weight of the cells in E, by its key.
     pub weight: String,
     /// Grazing limit in radians.
     #[serde(with = "degrees")]

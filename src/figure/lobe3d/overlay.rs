@@ -1,4 +1,4 @@
-//! What is written over the lobes in space: title, legend, names and heads of vectors, angles, values, the probe.
+//! Labels over the lobes in space: title, legend, names and heads of vectors, angles, values, the probe.
 
 use super::camera::{Camera, Projection};
 use super::lobes::Lobes;
@@ -17,14 +17,14 @@ use glam::DVec3;
 pub struct Overlay {
     /// Over what is in space.
     pub drawing: Drawing,
-    /// Where the names of the subjects are.
+    /// Places of the subjects' names.
     pub legend: Vec<LegendEntry>,
-    /// Where what is in space is.
+    /// Map from space to points of the canvas.
     pub projection: Projection,
 }
 
 impl Overlay {
-    /// Of some lobes, with the direction `wo` of the probe, on a canvas of `size` points.
+    /// Overlay of some lobes, with the direction `wo` of the probe, on a canvas of `size` points.
     pub fn new(lobes: &Lobes, camera: Camera, wo: Option<DVec3>, size: [f32; 2]) -> Self {
         let [width, height] = size;
         let font = font_size([width, height]);

@@ -12,9 +12,9 @@ use image::imageops::{FilterType, resize};
 
 /// Samples a pixel along each side.
 const SAMPLES: f64 = 3.0;
-/// From the upper left, beside the eye; as in the shader.
+/// Direction of the lamp in view space: from the upper left, beside the eye; as in the shader.
 const LIGHT: DVec3 = DVec3::new(-0.40, 0.55, 0.73);
-/// How far a line is in front of the solid that it lies on.
+/// Distance of a line in front of the solid that it lies on, in units of the dome's radius.
 const LIFT: f64 = 0.004;
 
 /// The lobes on a canvas of `size` points, `density` pixels to the point.
@@ -202,7 +202,7 @@ fn facing([a, b, c]: [DVec3; 3]) -> bool {
     (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y) < 0.0
 }
 
-/// As `fragment_solid`.
+/// RGBA of a lit solid, as `fragment_solid` of the shader.
 fn shaded(normal: DVec3, outside: bool, color: [u8; 3]) -> [f32; 4] {
     let normal = normal.normalize_or_zero() * if outside { 1.0 } else { -1.0 };
     let lit = 0.5 + 0.5 * normal.dot(LIGHT);

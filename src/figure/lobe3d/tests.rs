@@ -57,7 +57,7 @@ fn mesh_of(lobes: &Lobes) -> &LobeMesh {
     lobes.meshes().next().expect("a lobe that is shown")
 }
 
-/// How far in radians a direction of the dome can be from all of these.
+/// Largest angle in radians from a direction of the dome to the nearest of these.
 fn farthest_from(all: &[DVec3]) -> f64 {
     let spread = (0..400).map(|k| {
         let (u, v) = (f64::from(k) / 400.0, f64::from(k) * 0.618_034);

@@ -1,4 +1,4 @@
-//! What stands around the lobes: the half disc with its rings and angles, the grazing regions, the vectors.
+//! Backdrop of the lobes: the half disc with its rings and angles, the grazing regions, the vectors.
 
 use super::{LobeFrame, LobeSpec};
 use crate::figure::drawing::{Anchor, Drawing, Item, Label, Point};
@@ -232,7 +232,7 @@ pub(super) fn ring_labels(canvas: &mut LobeCanvas) {
 /// Radius of the active handle in points; the others are smaller.
 const HANDLE: f32 = 5.5;
 
-/// Where the lights can be taken.
+/// Handles by which the lights can be dragged.
 pub(super) fn handles(canvas: &mut LobeCanvas, spec: &LobeSpec) {
     for (lobe, theta_i) in spec.theta_i.iter().enumerate() {
         let active = lobe == spec.active;

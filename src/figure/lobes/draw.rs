@@ -98,7 +98,7 @@ fn runs(frame: &LobeFrame, trace: &Trace) -> Vec<Vec<Point>> {
     polyline::runs(samples, |theta_o, position| frame.at(theta_o, position))
 }
 
-/// Where the probe meets the active lobes.
+/// Dots at which the probe meets the active lobes.
 fn probe_dots(canvas: &mut LobeCanvas, spec: &LobeSpec, subjects: &[Subject], traces: &[&Trace]) {
     let Some(Mark { at: theta_o, exact }) = spec.probe else {
         return;

@@ -20,7 +20,7 @@ use crate::figure::write::{POINTS_PER_MM, Paper, font};
 /// A figure that is drawn.
 #[derive(Clone, Debug)]
 pub struct Page {
-    /// What is printed.
+    /// Drawing with its palette and ground.
     pub paper: Paper,
     /// The numbers in it, a table per panel that has some.
     pub table: Table,
@@ -135,7 +135,7 @@ fn unnamed(named: &[Subject], view: &ViewSpec) -> Vec<Subject> {
     subjects
 }
 
-/// What the figure is of, in one line.
+/// Title of the page in one line: names of subjects and views, each once.
 fn title(spec: &PageSpec, subjects: &[Subject]) -> String {
     let mut words: Vec<&str> = Vec::new();
     for panel in spec.rows.iter().flat_map(|row| &row.panels) {

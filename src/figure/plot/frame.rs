@@ -1,4 +1,4 @@
-//! Where values are in a plot, and which value is where.
+//! Map between values and points of a plot.
 
 use crate::figure::drawing::Point;
 use crate::figure::scale::Axis;
@@ -10,9 +10,9 @@ pub struct Frame {
     pub min: Point,
     /// Lower right corner.
     pub max: Point,
-    /// From left to right.
+    /// Horizontal axis, from left to right.
     pub x: Axis,
-    /// From below to above.
+    /// Vertical axis, from below to above.
     pub y: Axis,
 }
 

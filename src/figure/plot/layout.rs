@@ -1,4 +1,4 @@
-//! How a plot divides its rectangle: title and legend above, numbers at the left and below, panels in what is left.
+//! Layout of a plot in its rectangle: title and legend above, numbers at the left and below, panels in what is left.
 
 use super::outline::{Outline, Panel};
 use crate::figure::drawing::{LINE_HEIGHT, Point, font_size};
@@ -10,7 +10,7 @@ use crate::figure::text::{RichText, elided};
 /// Places and sizes in points.
 pub(super) struct Plan {
     pub font: f32,
-    /// What is plotted, and the left end of its text.
+    /// Title, and the left end of its text.
     pub title: (RichText, Point),
     /// One entry per subject: its position in the list, its name, the left end of its line.
     pub legend: Vec<(usize, RichText, Point)>,
@@ -26,7 +26,7 @@ pub(super) struct Plan {
 
 /// A panel's place.
 pub(super) struct Place {
-    /// Its title and the left end of it.
+    /// Title of the panel, and the left end of its text.
     pub title: Option<(RichText, Point)>,
     pub top: f32,
     pub bottom: f32,

@@ -1,4 +1,4 @@
-//! What is pointed out in a plot: dots, names beside them, sentences.
+//! Annotations in a plot: dots, names beside them, sentences.
 
 use super::Plot;
 use crate::figure::drawing::{Anchor, Item, Point};
@@ -9,13 +9,13 @@ use crate::figure::text::RichText;
 /// A dot with a name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spot {
-    /// Its value of x.
+    /// Value on the horizontal axis.
     pub x: f64,
-    /// Its value of y.
+    /// Value on the vertical axis.
     pub y: f64,
-    /// In points.
+    /// Radius in points.
     pub radius: f32,
-    /// Its colour.
+    /// Fill colour.
     pub ink: Ink,
     /// Beside it, where there is room.
     pub name: RichText,

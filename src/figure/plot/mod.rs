@@ -28,7 +28,7 @@ pub struct Plot {
     x_name: String,
     /// One per panel.
     pub frames: Vec<Frame>,
-    /// Where the names of the subjects are.
+    /// Places of the subjects' names.
     pub legend: Vec<LegendEntry>,
 }
 

@@ -154,7 +154,7 @@ fn strip(spec: &SliceSpec, residuals: &[ResidualTrace]) -> Panel {
     }
 }
 
-/// What is plotted, its unit, where, the channel and the scale; without the lesser words where there is no room.
+/// Title: the quantity, its unit, the fixed angles, the channel and the scale; shorter ones for less room.
 fn title(spec: &SliceSpec) -> Vec<String> {
     let what = format!("f_{{r}}{} [sr^{{−1}}]", spec.cosine.markup());
     let degrees = |x: f64| format!("{}°", (10.0 * x.to_degrees()).round() / 10.0);

@@ -11,21 +11,21 @@ use std::sync::LazyLock;
 /// The whole font.
 pub static BYTES: &[u8] = include_bytes!("../../../assets/fonts/LiberationSans-Regular.ttf");
 
-/// Its name.
+/// Family name of the font.
 pub const FAMILY: &str = "Liberation Sans";
 
-/// Where the line stands below the middle of a line of text, in units of the font size.
+/// Baseline below the middle of a line of text, in units of the font size.
 const BASELINE_EM: f32 = 0.345;
-/// How far scripts stand from the line, in units of the size of the text around them; downwards.
+/// Distance of scripts from the line, in units of the size of the text around them; downwards.
 const SUB_EM: f32 = 0.2;
 const SUP_EM: f32 = -0.36;
 
 /// A letter of the font.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Glyph {
-    /// Its number in the font; 0, an empty box, where the font lacks it.
+    /// Number of the glyph in the font; 0, an empty box, where the font lacks it.
     pub id: u32,
-    /// Its width in units of the font size.
+    /// Advance width in units of the font size.
     pub advance: f32,
 }
 
@@ -54,7 +54,7 @@ pub fn width_em(text: &str) -> f32 {
 /// A run of a label where it is drawn, seen from the label's position before it is turned.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlacedRun<'a> {
-    /// What it says.
+    /// Characters of the piece.
     pub text: &'a str,
     /// Left end of the line it stands on, in points.
     pub start: [f32; 2],
