@@ -13,7 +13,7 @@ pub struct Page {
     pub file: &'static str,
     /// Name on screen.
     pub name: &'static str,
-    /// Its Markdown.
+    /// Markdown of the page.
     pub text: &'static str,
 }
 
@@ -72,7 +72,7 @@ pub fn picture(path: &str) -> Option<(&'static str, &'static [u8])> {
 pub static BLOCKS: LazyLock<[Vec<Block>; 4]> =
     LazyLock::new(|| PAGES.map(|page| markdown::parse(page.text)));
 
-/// Where a reader is.
+/// Place of a reader in the guide.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct GuideAt {
     /// Position in [`PAGES`].
@@ -83,16 +83,16 @@ pub struct GuideAt {
     pub jump: u64,
 }
 
-/// Where a link leads.
+/// Destination of a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target<'a> {
-    /// To a page, and to a heading on it by position.
+    /// Page, and a heading on it, each by position.
     Page(usize, Option<usize>),
-    /// To an address in the web.
+    /// Address in the web.
     Web(&'a str),
 }
 
-/// Where a link on a page leads; `None` for one to a file that is not built in.
+/// Destination of a link on a page; `None` for one to a file that is not built in.
 pub fn target(page: usize, link: &str) -> Option<Target<'_>> {
     if link.starts_with("https://") || link.starts_with("http://") {
         return Some(Target::Web(link));
@@ -114,9 +114,9 @@ pub fn target(page: usize, link: &str) -> Option<Target<'_>> {
 pub struct Heading<'a> {
     /// 1 for the page's own.
     pub level: u8,
-    /// What a link to it says after `#`.
+    /// Name that a link to it has after `#`.
     pub anchor: &'a str,
-    /// Its words.
+    /// Words of the heading.
     pub spans: &'a [Span],
 }
 

@@ -39,23 +39,23 @@ use std::time::Duration;
 pub use jobs::dialogs::Picker;
 pub use startup::run;
 
-/// Where the preferences are kept in the storage.
+/// Key of the preferences in the storage.
 const PREFS_KEY: &str = "grazing.prefs";
 
-/// Where the layout is kept in the storage.
+/// Key of the layout in the storage.
 const LAYOUT_KEY: &str = "grazing.layout";
 
-/// How long the end of the program waits for jobs that were told to stop.
+/// Longest time that the end of the program waits for jobs that were told to stop.
 const PATIENCE: Duration = Duration::from_millis(300);
 
 /// Height of the fit's panel in points, where the window leaves it that.
 const FIT_HEIGHT: f32 = 350.0;
 
-/// How the window starts.
+/// Options at the start of the window.
 pub struct Options {
     /// Files to open.
     pub files: Vec<PathBuf>,
-    /// How a person is asked for files.
+    /// Ways to ask a person for files.
     pub picker: Picker,
     /// The folder where what is open is kept for a crash; without one, nothing is.
     pub autosave: Option<PathBuf>,
@@ -132,7 +132,7 @@ impl App {
         self.tools.jobs.plant_panic(doing);
     }
 
-    /// What the window shows, for tests.
+    /// State of the window, for tests.
     pub fn state(&self) -> &State {
         &self.state
     }

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 /// The packages a window needs on Debian and Ubuntu beyond a bare system.
 const APT_LINE: &str = "sudo apt-get install -y libxkbcommon-x11-0 libxcursor1 libxi6 libx11-xcb1 mesa-vulkan-drivers libegl1 libgl1-mesa-dri";
-/// What works all the same.
+/// Hint at the subcommands, which work without a window.
 const WITHOUT_WINDOW: &str = "Without a window these work: grazing info FILE, grazing sample NAME -o FILE, grazing eval SOURCE --directions FILE.csv, grazing fit FILE, grazing figure --preset lobes FILE -o lobes.pdf, grazing render SOURCE -o sphere.png";
 
 /// Opens the window with these files and returns when it is closed.

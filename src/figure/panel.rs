@@ -39,7 +39,7 @@ pub trait PanelView {
         None
     }
 
-    /// Draws it.
+    /// Draws the panel in the size of `input`.
     fn draw(&self, input: &PanelInput) -> PanelDrawing;
 }
 

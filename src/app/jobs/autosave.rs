@@ -1,4 +1,4 @@
-//! What is open, kept for the case that the program ends unexpectedly.
+//! Autosave: the open session, kept for the case that the program ends unexpectedly.
 //!
 //! A run has two files in the autosave folder: a lock that it holds as long as it lives, and beside it what is open.
 //! A lock that nobody holds is of a run that is gone. Both files go when a run ends as it should.
@@ -51,7 +51,7 @@ pub struct Autosave {
     ended: Arc<Mutex<bool>>,
     /// Whether a thread is writing.
     busy: Arc<AtomicBool>,
-    /// What was written last.
+    /// State that was written last.
     seen: Option<Seen>,
     /// The time of egui at which what has changed is to be written.
     due: Option<f64>,
@@ -102,7 +102,7 @@ impl Autosave {
         &self.file
     }
 
-    /// To be called once a frame: writes a little after something has changed, and wakes the window for it.
+    /// Writes a little after something has changed, and wakes the window for it. To be called once a frame.
     pub fn tick(&mut self, state: &State, ctx: &egui::Context, jobs: &Jobs) {
         let now = ctx.input(|input| input.time);
         if self.due.is_none() && is_worth_keeping(state) {
@@ -227,7 +227,7 @@ fn is_worth_keeping(state: &State) -> bool {
             .any(|material| matches!(material.origin, Origin::File(_)) || !material.fits.is_empty())
 }
 
-/// What a session is made of, to see whether it has changed.
+/// Parts of the state that a session is made of, to see whether it has changed.
 struct Seen {
     scene: crate::app::state::Scene,
     tiles: crate::app::state::layout::Tiles,

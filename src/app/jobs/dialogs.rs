@@ -21,7 +21,7 @@ pub const NOT_SAVED: &str = "No file dialog answered; install one: sudo apt-get 
 
 pub(crate) type SavePicker = dyn Fn(&str) -> Option<PathBuf> + Send + Sync;
 
-/// How a person is asked for files; a test hands its own.
+/// Ways to ask a person for files; a test hands its own.
 #[derive(Clone)]
 pub struct Picker {
     /// Asks for files to open; empty where cancelled.
@@ -63,7 +63,7 @@ impl Picker {
     }
 }
 
-/// What the dialog for saving says of a kind of file.
+/// Words of the dialog for saving a kind of file.
 struct Saved {
     ending: &'static str,
     title: &'static str,

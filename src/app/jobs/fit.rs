@@ -12,7 +12,7 @@ use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 use std::time::{Duration, Instant};
 
-/// How often the window is told how a fit goes: about once a frame.
+/// Least time between two reports of a fit to the window: about a frame.
 const BETWEEN_UPDATES: Duration = Duration::from_millis(12);
 
 /// The last fit problem, kept because the next fit and the refits of amplitudes mostly ask for the same one.

@@ -98,7 +98,7 @@ fn read(
     });
 }
 
-/// What is in a file.
+/// Content of a file.
 enum Content {
     Material(Box<Loaded>),
     Fits(Vec<MaterialFits>),

@@ -47,7 +47,7 @@ pub struct Jobs {
 
 #[derive(Default)]
 struct Shared {
-    /// How many threads run jobs.
+    /// Number of threads that run jobs.
     running: usize,
     /// Jobs that wait for the one before them, by the lane they share. A lane that is here has a thread.
     lanes: HashMap<&'static str, VecDeque<Work>>,
@@ -56,7 +56,7 @@ struct Shared {
 }
 
 impl Jobs {
-    /// Nothing runs yet.
+    /// Job system in which nothing runs yet.
     pub fn new(sender: Sender) -> Self {
         Self {
             sender,
@@ -126,7 +126,7 @@ impl Jobs {
         }
     }
 
-    /// The one place where a panic of a job is caught.
+    /// Runs work, and turns its panic into a message: the one place where a panic of a job is caught.
     fn run(&self, work: Work) {
         let Work {
             doing,
@@ -173,7 +173,7 @@ impl Jobs {
         self.lock().planted_panic = Some(doing.into());
     }
 
-    /// Every write under this lock is a single one, so what a panic leaves behind is whole.
+    /// Locks the shared state. Every write under this lock is a single one, so what a panic leaves behind is whole.
     fn lock(&self) -> MutexGuard<'_, Shared> {
         self.shared.lock().unwrap_or_else(PoisonError::into_inner)
     }

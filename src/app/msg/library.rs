@@ -22,12 +22,12 @@ pub enum LibraryMsg {
         number: u64,
         result: Result<Vec<PathBuf>, String>,
     },
-    /// What files are, by position.
+    /// Kinds of files, by position.
     Seen {
         number: u64,
         seen: Vec<(usize, Result<FileContent, String>)>,
     },
-    /// What is in a file, by position.
+    /// Content of a measured file, by position.
     Examined {
         number: u64,
         index: usize,
@@ -45,7 +45,7 @@ pub enum LibraryMsg {
     Step(isize),
     /// Leave the preview open.
     Keep,
-    /// How much memory tables may take, in MiB.
+    /// Limit of the memory for tables, in MiB.
     SetLimit(u32),
     /// The fit of the folder reports.
     Fit {
@@ -77,9 +77,9 @@ pub enum LibraryTask {
 #[derive(Debug)]
 #[expect(missing_docs, reason = "the line over each names its fields")]
 pub enum FolderFitUpdate {
-    /// It begins with the next file.
+    /// Name of the next file, with which the run goes on.
     File(String),
-    /// How far the present file is.
+    /// Progress of the present file, in [0, 1].
     Share(f32),
     /// A file is done.
     Done {
@@ -95,11 +95,11 @@ pub enum FolderFitUpdate {
 pub struct FolderFit {
     /// The run's.
     pub number: u64,
-    /// In this order.
+    /// Files in the order of the run.
     pub files: Vec<PathBuf>,
-    /// What is fitted to each.
+    /// Variants fitted to each file.
     pub variants: Vec<Variant>,
-    /// How.
+    /// Settings of the fits.
     pub setup: Setup,
     /// Ends it.
     pub cancel: CancelFlag,

@@ -97,7 +97,7 @@ pub enum Msg {
     Legend { key: SubjectKey, solo: bool },
     /// Show an open material in the plots beside the shown one, or no longer.
     SetBeside(usize, bool),
-    /// What is typed in the open dialog.
+    /// Text typed in the open dialog.
     Typed(String),
     /// Show a place of the guide.
     ReadGuide(GuideAt),
@@ -118,12 +118,12 @@ impl Msg {
     }
 }
 
-/// What a loading job brings.
+/// Result of a loading job.
 #[derive(Debug)]
 pub struct Loaded {
     /// Name on screen.
     pub name: String,
-    /// Which file it was.
+    /// File that it was read from, with its length and SHA-256.
     pub source: Option<SourceFile>,
     /// The data.
     pub table: Arc<Table>,
@@ -201,7 +201,7 @@ pub enum Task {
 /// A model to be written for other programs.
 #[derive(Debug)]
 pub struct ModelExport {
-    /// As what.
+    /// File format.
     pub format: ModelFormat,
     /// Name of the material it was laid over.
     pub material: String,

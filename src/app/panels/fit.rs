@@ -159,7 +159,7 @@ pub fn tick_ui(ui: &mut egui::Ui, on: &mut bool, markup: &str, name: &str) -> eg
     tick
 }
 
-/// What is seldom changed: where the fit begins, and bounds.
+/// Settings that are seldom changed: where the fit begins, and bounds.
 fn more_ui(ui: &mut egui::Ui, settings: &mut Settings, brdf: &Brdf) {
     egui::Frame::group(ui.style()).show(ui, |ui| {
         ui.set_width(ui.available_width());

@@ -1,4 +1,4 @@
-//! What the fit under way says, or the kept one said: the result, what to know of it, the trace of E.
+//! Report of the fit under way, or of the kept one: the result, what to know of it, the trace of E.
 
 use crate::app::msg::Msg;
 use crate::app::msg::fit::FitMsg;

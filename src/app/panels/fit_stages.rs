@@ -16,7 +16,7 @@ use egui::{Align, Layout, vec2};
 /// Room in points for what stands left of the numbers.
 const LABELS: f32 = 118.0;
 
-/// What a stage came to, or is at.
+/// Numbers of a stage, at its end or so far.
 struct StageRow {
     start: f64,
     now: f64,

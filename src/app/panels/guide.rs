@@ -12,7 +12,7 @@ use egui::{Id, OpenUrl, ScrollArea, Ui, vec2};
 const LIST_WIDTH: f32 = 178.0;
 /// The guide is no larger.
 const LARGEST: egui::Vec2 = vec2(1070.0, 760.0);
-/// What the frame and the button below the page take of the window.
+/// Width and height in points that the frame and the button below the page take of the window.
 const AROUND: egui::Vec2 = vec2(80.0, 120.0);
 
 /// Draws the page that is read, and what else there is to read.

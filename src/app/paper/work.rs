@@ -39,7 +39,7 @@ pub struct Sheet {
     pub pixels: Pixels,
     /// Width and height in millimetres.
     pub size_mm: [f64; 2],
-    /// How many rows of numbers it has.
+    /// Number of rows of its table of numbers.
     pub numbers: usize,
 }
 

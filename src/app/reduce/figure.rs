@@ -1,4 +1,4 @@
-//! How the state changes when a figure is made.
+//! Reducer of figures: pointing at views, choosing them, exporting.
 
 use crate::app::msg::Task;
 use crate::app::msg::figure::{FigureMsg, FigureTask};

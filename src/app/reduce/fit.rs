@@ -1,4 +1,4 @@
-//! How the state changes when a fit starts, speaks, stops and ends.
+//! Reducer of fits: how the state changes when one starts, reports, stops and ends.
 
 use crate::app::msg::Task;
 use crate::app::msg::fit::{FitMsg, FitTask, RefitAmplitudes, Timed};
@@ -166,7 +166,7 @@ pub(crate) fn refit(state: &mut State) -> Vec<Task> {
     ask_for_amplitudes(state, false)
 }
 
-/// The same where there was no edit.
+/// Asks for the best ρ_d and k_s of the shown model as [`refit`] does, as a step of its own where there was no edit.
 pub(crate) fn refit_as_step(state: &mut State) -> Vec<Task> {
     ask_for_amplitudes(state, true)
 }

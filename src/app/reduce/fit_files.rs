@@ -1,4 +1,4 @@
-//! What a fit file does to the state: its models are laid over the materials that were fitted.
+//! Opening of a fit file: its models are laid over the materials that were fitted.
 
 use crate::app::msg::{Loaded, Task};
 use crate::app::reduce::opening::{add_material, load_with};

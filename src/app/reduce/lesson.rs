@@ -1,4 +1,4 @@
-//! How the state changes from step to step of a lesson.
+//! Reducer of lessons: how the state changes from step to step.
 
 use crate::app::lessons::Set;
 use crate::app::lessons::rows::LESSONS;

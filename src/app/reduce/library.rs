@@ -1,4 +1,4 @@
-//! How the state changes when a folder is opened, looked at and stepped through.
+//! Reducer of the library: how the state changes when a folder is opened, looked at and stepped through.
 
 use crate::app::msg::Task;
 use crate::app::msg::library::{LibraryMsg, LibraryTask};
@@ -156,7 +156,7 @@ fn take_fits(state: &mut State, fits: &MaterialFits) {
     }
 }
 
-/// In an empty window, a folder shows its first material.
+/// Shows the first material of a folder where the window is empty.
 fn show_first(state: &mut State) -> Vec<Task> {
     let empty = state.scene.opened.is_empty() && state.jobs.is_empty();
     if !empty || state.library.cursor.is_some() || state.library.pending.is_some() {

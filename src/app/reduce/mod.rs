@@ -1,4 +1,4 @@
-//! The one place where the state changes: `apply(state, message) → tasks`.
+//! Reducer of the window, the one place where the state changes: `apply(state, message) → tasks`.
 
 pub mod command;
 pub mod figure;

@@ -1,4 +1,4 @@
-//! What opening a session does to the state.
+//! Opening of a session: its scene in place of the present one, as one step.
 
 use crate::app::msg::Task;
 use crate::app::reduce::opening::{forget_unreachable, load};
@@ -20,7 +20,7 @@ use crate::measured::Table;
 use crate::measured::samples::SAMPLES;
 use std::path::{Path, PathBuf};
 
-/// How many remarks on a file are shown one by one.
+/// Number of remarks on a file that are shown one by one.
 const REMARKS: usize = 3;
 
 /// Puts a session in place of what is open, as one step. Tiles, settings of the fit and the pinned probe are no part of

@@ -9,7 +9,7 @@
 //! that bring back what was let go ([`crate::app::state::memory`]). One that is not found stays without its data and is
 //! asked for; what lies over it is kept, and is saved again.
 //!
-//! Which session file a scene belongs to is a number in the scene, so that undo brings the name back with it.
+//! The session file that a scene belongs to is a number in the scene, so that undo brings the name back with it.
 
 pub mod differences;
 pub mod file;

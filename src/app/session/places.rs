@@ -1,4 +1,4 @@
-//! Which files of a session are there. Looks at the disk, so it is part of the job that reads the session.
+//! Search for the files of a session. Looks at the disk, so it is part of the job that reads the session.
 
 use crate::app::session::file::SessionFile;
 use crate::app::session::read::read;
@@ -8,20 +8,20 @@ use std::path::{Path, PathBuf};
 /// A session that was read, and where its files are.
 #[derive(Clone, Debug)]
 pub struct Found {
-    /// What it says.
+    /// Session as the file says it.
     pub session: SessionFile,
     /// A line on each thing that was not taken as it stands in the file.
     pub remarks: Vec<String>,
-    /// For each material.
+    /// Places of the materials' files, one for each material.
     pub places: Vec<Place>,
 }
 
-/// Where the file of a material is.
+/// Place of the file of a material.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Place {
-    /// The one that is there.
+    /// File that is there.
     pub found: Option<PathBuf>,
-    /// Where it was looked for.
+    /// Paths at which it was looked for.
     pub tried: Vec<PathBuf>,
 }
 

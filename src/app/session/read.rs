@@ -1,4 +1,4 @@
-//! From the text of a session to its data. What is not understood is left out and spoken about, the rest is taken.
+//! Reader of sessions, from text to data. What is not understood is left out and spoken about, the rest is taken.
 
 use crate::app::session::differences::differences;
 use crate::app::session::file::{SavedBrdf, SavedFit, SavedMaterial, SessionFile, VERSION};
@@ -12,7 +12,7 @@ use crate::files::session::KEY;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
-/// How many places are named in one line.
+/// Number of places that are named in one line.
 const NAMED: usize = 4;
 
 /// A session, and a line on each thing in its file that was not taken as it stands there.
@@ -74,7 +74,7 @@ impl Reader {
         self.taken(T::deserialize(value), at)
     }
 
-    /// What was read, or a remark that it was not understood.
+    /// Part that was read, or `None` and a remark that it was not understood.
     fn taken<T>(&mut self, read: serde_json::Result<T>, at: String) -> Option<T> {
         match read {
             Ok(part) => Some(part),

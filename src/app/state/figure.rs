@@ -9,9 +9,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct FigurePrefs {
-    /// How it looks.
+    /// Look on paper.
     pub style: Style,
-    /// What it is written as.
+    /// File format.
     pub format: Format,
     /// Panels beside each other.
     pub columns: usize,
@@ -27,13 +27,13 @@ impl Default for FigurePrefs {
     }
 }
 
-/// Which view the pointer is on, and which ones go into a figure.
+/// Views under the pointer, and those that go into a figure.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Views {
     /// Under the pointer.
     pub pointed: Option<ViewId>,
     /// The last one that was.
     pub last: Option<ViewId>,
-    /// Those in the figure that is being made, in its order.
+    /// Views in the figure that is being made, in its order.
     pub chosen: Vec<ViewId>,
 }

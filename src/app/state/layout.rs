@@ -5,7 +5,7 @@ use crate::app::state::views::{VIEWS, ViewId};
 use egui_tiles::{Container, Tile, Tree};
 use serde::{Deserialize, Serialize};
 
-/// To be raised when an old layout no longer makes sense; one that cannot be read is forgotten anyway.
+/// Version of the layout, to be raised when an old one makes no sense; one that cannot be read is forgotten anyway.
 const VERSION: u32 = 1;
 
 /// The tiles and where they are. A person moves them by hand.
@@ -64,7 +64,7 @@ impl Tiles {
         Self(Tree::empty(tree_id()))
     }
 
-    /// Every tile in sight at once.
+    /// Layout with every tile in sight at once.
     pub fn side_by_side() -> Self {
         let panes = VIEWS.iter().map(|row| row.id).collect();
         Self(Tree::new_grid(tree_id(), panes))

@@ -1,4 +1,4 @@
-//! Everything the window shows, as plain data. It changes in [`crate::app::reduce::apply`] only.
+//! State of the window, as plain data. It changes in [`crate::app::reduce::apply`] only.
 
 pub mod about;
 pub mod cache;
@@ -52,7 +52,7 @@ use std::collections::BTreeMap;
 /// The part of the state that undo brings back.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
-    /// Which session it belongs to: a number in [`SessionState::files`], 0 at first.
+    /// Session it belongs to: a number in [`SessionState::files`], 0 at first.
     pub session: u64,
     /// Open materials in the order of the library.
     pub opened: Vec<Opened>,
@@ -60,7 +60,7 @@ pub struct Scene {
     pub selected: usize,
     /// Whether the three channels of a colour parameter move as one: ρ_d, k_s.
     pub grey: [bool; 2],
-    /// What the plots do not show, though its name is in their legends.
+    /// Subjects that the plots do not show, though their names are in the legends.
     pub hidden: Vec<SubjectKey>,
     /// Interpolation of the table in all views.
     pub lookup: Lookup,
@@ -96,7 +96,7 @@ impl Scene {
 /// The whole state.
 #[derive(Debug, Default)]
 pub struct State {
-    /// What undo brings back.
+    /// Part of the state that undo brings back.
     pub scene: Scene,
     /// The steps.
     pub history: History<Scene>,
@@ -104,7 +104,7 @@ pub struct State {
     pub materials: BTreeMap<MaterialId, Material>,
     /// The tiles and where they are.
     pub tiles: Tiles,
-    /// What views show and cannot compute within a frame.
+    /// Results that views show and cannot compute within a frame.
     pub caches: Caches,
     /// Fits asked for and under way.
     pub fit: FitState,
@@ -118,7 +118,7 @@ pub struct State {
     pub pinned: Option<Probe>,
     /// The views that commands and figures are about.
     pub views: Views,
-    /// Where a learner is.
+    /// Place of a learner in the lessons.
     pub lesson: Option<LessonAt>,
     /// Jobs under way, the oldest first.
     pub jobs: Vec<Job>,
@@ -126,9 +126,9 @@ pub struct State {
     pub notices: Vec<Notice>,
     /// The open dialog.
     pub dialog: Option<Dialog>,
-    /// What is typed in the open dialog: words of a command, or a path.
+    /// Text typed in the open dialog: words of a command, or a path.
     pub typed: String,
-    /// What is kept between runs.
+    /// Preferences, kept between runs.
     pub prefs: Prefs,
     /// Source of numbers for materials, jobs and notices.
     pub next_id: u64,

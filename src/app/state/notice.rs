@@ -2,7 +2,7 @@
 
 use crate::app::guide::GuideAt;
 
-/// How bad a notice is.
+/// Severity of a notice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Level {
     /// Good to know.
@@ -14,9 +14,9 @@ pub enum Level {
 /// A sentence in the corner of the window, until it is closed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Notice {
-    /// Its number.
+    /// Number of the notice.
     pub id: u64,
-    /// How bad.
+    /// Severity.
     pub level: Level,
     /// One line.
     pub text: String,

@@ -1,11 +1,11 @@
-//! What is kept between runs.
+//! Preferences, kept between runs.
 
 use crate::app::state::figure::FigurePrefs;
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use std::path::PathBuf;
 
-/// What is kept between runs.
+/// Preferences, kept between runs.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Prefs {
@@ -15,13 +15,13 @@ pub struct Prefs {
     pub theme: Theme,
     /// The folder that was open last.
     pub folder: Option<PathBuf>,
-    /// How figures look.
+    /// Looks and format of figures.
     pub figure: FigurePrefs,
-    /// How much memory tables may take.
+    /// Limit of the memory for tables.
     pub memory: MemoryLimit,
 }
 
-/// How much memory tables may take, in MiB.
+/// Limit of the memory for tables, in MiB.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct MemoryLimit(pub u32);
 
@@ -32,13 +32,13 @@ impl Default for MemoryLimit {
 }
 
 impl MemoryLimit {
-    /// The same in bytes.
+    /// Limit in bytes.
     pub fn bytes(self) -> u64 {
         u64::from(self.0) * crate::app::state::memory::MIB
     }
 }
 
-/// How many recent files are kept.
+/// Number of recent files that are kept.
 const RECENT: usize = 10;
 
 impl Prefs {
@@ -53,7 +53,7 @@ impl Prefs {
 /// The look of the window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Theme {
-    /// As the system says.
+    /// Look that the system asks for.
     #[default]
     System,
     /// Light.

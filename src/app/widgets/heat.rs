@@ -1,4 +1,4 @@
-//! What the tiles with a heat map share: painting it, and the gestures that move what is in sight.
+//! Heat maps of tiles: painting them, and the gestures that move what is in sight.
 
 use crate::app::widgets::paint;
 use crate::figure::heatmap::{Field, HeatMap, HeatSpec, View};
@@ -7,15 +7,15 @@ use egui::{CursorIcon, PointerButton, Rect, Response, Sense, Vec2};
 
 /// A heat map on screen.
 pub struct OnScreen {
-    /// What is drawn.
+    /// Heat map that is drawn.
     pub map: HeatMap,
     /// Over all of it.
     pub response: Response,
 }
 
-/// How many points of the wheel make something e times larger.
+/// Points of the wheel that make something e times larger.
 const WHEEL: f64 = 240.0;
-/// How much an old picture keeps of its colours while the next one is made.
+/// Opacity of an old picture while the next one is made.
 pub const DIMMED: f32 = 0.45;
 
 /// Draws a heat map into what is left of the tile.
@@ -56,7 +56,7 @@ impl OnScreen {
         self.map.frame.locate(point.into())
     }
 
-    /// What a drag, the wheel or a double click make of the view; `None` where they leave it.
+    /// View after a drag, the wheel or a double click; `None` where they leave it.
     pub fn moved_view(&self, ui: &egui::Ui, view: View) -> Option<View> {
         let [width, height] = self.map.frame.size();
         let mut moved = view;

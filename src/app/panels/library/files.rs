@@ -40,12 +40,12 @@ pub fn files_ui(ui: &mut egui::Ui, state: &State, folder: &Folder, out: &mut Vec
     ui.data_mut(|data| data.insert_temp(offset_id(), offset));
 }
 
-/// Where the list was scrolled to last.
+/// Id of the last scroll offset of the list.
 fn offset_id() -> egui::Id {
     egui::Id::unique("library offset")
 }
 
-/// Where to scroll to after a step by keys, so that its row is in sight with one more above and below.
+/// Scroll offset in points after a step by keys, so that its row is in sight with one more above and below.
 fn offset_to_reveal(ui: &egui::Ui, state: &State, folder: &Folder, rows: &[usize]) -> Option<f32> {
     let id = egui::Id::unique("library has revealed");
     let seen: u64 = ui.data(|data| data.get_temp(id)).unwrap_or(0);
@@ -158,7 +158,7 @@ fn picture_ui(ui: &egui::Ui, file: &FolderFile, row: Rect) {
     }
 }
 
-/// What a row says below the name: what is known of the file, and its best fit.
+/// Lines of a row below the name: what is known of the file, and its best fit.
 fn lines(kind: &Kind, best: Option<&FitRecord>) -> [String; 2] {
     let first = match kind {
         Kind::Unknown => String::new(),

@@ -38,7 +38,7 @@ fn title_ui(ui: &mut egui::Ui, state: &State, folder: &Folder, out: &mut Vec<Msg
     });
 }
 
-/// How far the scan is, until it is done.
+/// Progress of the scan in words, until it is done.
 fn scanned(folder: &Folder) -> Option<String> {
     match folder.scan {
         Scan::Done => None,
@@ -88,7 +88,7 @@ fn menu_ui(ui: &mut egui::Ui, state: &State, folder: &Folder, out: &mut Vec<Msg>
         .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, "Menu of the folder"));
 }
 
-/// How much memory tables may take.
+/// Draws the limit of the memory for tables.
 fn limit_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     ui.horizontal(|ui| {
         let label = ui.label("Memory");

@@ -104,7 +104,7 @@ fn material_ui(ui: &mut egui::Ui, state: &State, index: usize, out: &mut Vec<Msg
     });
 }
 
-/// What was measured, or where the data are.
+/// Words on the data of a material: the share measured, or where the data are.
 fn about(material: &crate::app::state::material::Material) -> String {
     match material.presence {
         Presence::Loaded => {

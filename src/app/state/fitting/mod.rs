@@ -31,7 +31,7 @@ use crate::app::state::fitting::settings::Settings;
 /// The part of the state that is about fitting.
 #[derive(Debug, Default)]
 pub struct FitState {
-    /// What the next fit is asked.
+    /// Settings of the next fit.
     pub settings: Settings,
     /// The fit under way, or told to stop and not yet gone.
     pub run: Option<Run>,

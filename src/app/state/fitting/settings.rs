@@ -1,14 +1,14 @@
-//! What a fit is asked, and what is kept of it.
+//! Settings of the next fit, and the setup that is kept with a fit.
 
 use crate::brdf::params::ALL;
 use crate::brdf::{Brdf, ParamId, PerParam};
 use crate::fit::options::{Bounds, NO_LIMIT};
 use crate::fit::{FitOptions, Partial, StageSet, Weight};
 
-/// What the panel says of the next fit.
+/// Settings of the next fit, as the panel says them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
-    /// How much a cell counts.
+    /// Weight of the cells in E.
     pub weight: Weight,
     /// Grazing limit in radians.
     pub limit: f64,
@@ -36,7 +36,7 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// What a fit is asked while the sliders stand at `brdf`.
+    /// Setup of a fit that starts while the sliders stand at `brdf`.
     pub fn setup(&self, brdf: &Brdf) -> Setup {
         let mut options = FitOptions {
             stages: self.stages,
@@ -69,10 +69,10 @@ impl Settings {
     }
 }
 
-/// What a fit was asked.
+/// Settings that a fit was made with.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setup {
-    /// How much a cell counted.
+    /// Weight of the cells in E.
     pub weight: Weight,
     /// Grazing limit in radians.
     pub limit: f64,
@@ -95,7 +95,7 @@ impl Setup {
         began_at_data(self) == began_at_data(other) && with_start_of(other) == *other
     }
 
-    /// In words, for hovering.
+    /// Settings in words, for hovering.
     pub fn text(&self) -> String {
         let mut text = format!(
             "Weight {}, grazing limit {:.0}°",

@@ -1,11 +1,11 @@
-//! Which files of the folder are listed, and in which order.
+//! List of the folder's files: which are shown, and in which order.
 
 use crate::app::state::library::{Examined, FolderFile, Kind, Library};
 use crate::brdf::ParamId;
 use std::cmp::Ordering;
 use std::path::{Path, PathBuf};
 
-/// What the files are ordered by.
+/// Quantity that the files are ordered by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SortKey {
     /// Name, with numbers by value.
@@ -33,14 +33,14 @@ pub const SORT_KEYS: [(SortKey, &str); 5] = [
 /// An order of the files.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Sort {
-    /// By what.
+    /// Quantity that they are ordered by.
     pub key: SortKey,
     /// Whether the largest comes first.
     pub descending: bool,
 }
 
 impl Library {
-    /// What a file of the folder is.
+    /// Kind of a file of the folder; `None` where the folder has no such file.
     pub fn kind_of(&self, path: &Path) -> Option<&Kind> {
         let mut files = self.folder.as_ref()?.files.iter();
         files.find(|file| file.path == path).map(|file| &file.kind)
@@ -116,7 +116,7 @@ fn in_order(a: Option<f64>, b: Option<f64>, descending: bool) -> Ordering {
 }
 
 impl FolderFile {
-    /// What reading it has brought.
+    /// Content of the file, once it has been read.
     pub fn examined(&self) -> Option<&Examined> {
         match &self.kind {
             Kind::Measured(examined) => examined.as_ref(),

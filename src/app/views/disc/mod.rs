@@ -130,7 +130,7 @@ fn toolbar_ui(ui: &mut egui::Ui, settings: &DiscSettings, out: &mut Vec<Msg>) {
     });
 }
 
-/// What a plot without marks is made of.
+/// Inputs of a plot without marks.
 type Made = (DiscQuery, DiscSpec, String, [f32; 2]);
 
 /// The plot without marks, from the frame before where it is still the same.

@@ -81,7 +81,7 @@ fn toolbar_ui(ui: &mut egui::Ui, state: &State, name: &str, out: &mut Vec<Msg>) 
     ui.add_space(4.0);
 }
 
-/// What a run is at, in words.
+/// Activity of a run, in words.
 fn under_way(run: &Run) -> String {
     if run.stopping {
         return "Stopping".into();

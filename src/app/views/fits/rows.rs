@@ -8,7 +8,7 @@ use crate::fit::Variant;
 
 /// A row.
 pub struct Row<'a> {
-    /// What was or is fitted.
+    /// Model and Fresnel factor that were or are fitted.
     pub variant: Variant,
     /// The fit that is kept, if one is.
     pub kept: Option<&'a KeptFit>,
@@ -18,24 +18,24 @@ pub struct Row<'a> {
     pub error: Option<f64>,
     /// E over the grazing cells.
     pub grazing: Option<f64>,
-    /// How long it took.
+    /// Duration in seconds.
     pub seconds: Option<f64>,
-    /// What stands beside its name.
+    /// Remark beside its name.
     pub mark: Mark,
     /// Whether the sliders stand where it ended.
     pub shown: bool,
 }
 
-/// What is to be said of a row.
+/// Remark on a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
-    /// Nothing.
+    /// No remark.
     None,
     /// The smallest E of those that were asked the same.
     Best,
     /// Being fitted.
     Fitting,
-    /// To be fitted.
+    /// Yet to be fitted.
     Waiting,
     /// Made with other settings than those set now.
     Stale,
@@ -44,7 +44,7 @@ pub enum Mark {
 }
 
 impl Mark {
-    /// Its word.
+    /// Word of the remark.
     pub fn text(self) -> Option<&'static str> {
         match self {
             Self::None => None,

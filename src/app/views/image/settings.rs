@@ -30,7 +30,7 @@ pub fn with_probe(settings: &ImageSettings, probe: Option<Probe>) -> ImageSpec {
     }
 }
 
-/// Where a probe is on θh and θd, in degrees; exact where its φd is that of the picture.
+/// Mark of a probe on θh and θd, in degrees; exact where its φd is that of the picture.
 pub fn mark(probe: Probe, phi_d: f64) -> Option<Mark<[f64; 2]>> {
     let angles = probe.angles()?;
     let apart = (angles.phi_d - phi_d).rem_euclid(PI);

@@ -57,7 +57,7 @@ pub fn paint(
         .add(Callback::new_paint_callback(rect, callback));
 }
 
-/// What a scene was made from, and the scene.
+/// Inputs of a scene, and the scene.
 #[derive(Clone)]
 struct Made {
     lobes: Arc<Lobes>,
@@ -143,7 +143,7 @@ fn add_line(scene: &mut SpaceScene, points: &[DVec3], width: f32, behind: f32, c
     }));
 }
 
-/// What stays on the GPU.
+/// Resources that stay on the GPU.
 struct Kept {
     format: wgpu::TextureFormat,
     pass: Option<SpacePass>,

@@ -29,15 +29,15 @@ struct Row {
     place: Place,
 }
 
-/// Where a material is.
+/// Place of a material.
 enum Place {
-    /// At this position of the open ones.
+    /// Position among the open ones.
     Open(usize),
-    /// In a file of the folder.
+    /// File of the folder.
     File(PathBuf),
 }
 
-/// Every material with a fit of the combined model: its name, the fit, its colour.
+/// Materials with a fit of the combined model: the name, the fit and the colour of each.
 pub fn combined_fits(state: &State) -> Vec<(String, Brdf, Role)> {
     let rows = rows(state).into_iter();
     rows.map(|row| (row.dot.name, row.brdf, row.dot.ring.unwrap_or(row.dot.fill)))
@@ -165,7 +165,7 @@ fn best_of(material: &Material) -> Option<(Brdf, f64)> {
     )
 }
 
-/// Of the fits with an α the one with the smallest E.
+/// Fit with an α and the smallest E.
 fn best(fits: impl Iterator<Item = (Brdf, f64)>) -> Option<(Brdf, f64)> {
     fits.filter(|(brdf, _)| brdf.uses(ParamId::Alpha))
         .min_by(|a, b| a.1.total_cmp(&b.1))

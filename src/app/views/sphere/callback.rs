@@ -17,10 +17,10 @@ use egui::PaintCallbackInfo;
 use std::collections::HashMap;
 use std::sync::{Arc, OnceLock, Weak};
 
-/// How many tables stay on the GPU.
+/// Number of tables that stay on the GPU.
 const TEXTURES: usize = 4;
 
-/// What a sphere on screen shows.
+/// Content of a sphere on screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Half {
     /// The data.
@@ -29,7 +29,7 @@ pub enum Half {
     Model,
     /// Data left of a line at this place in units of the radius, model right of it.
     Split(f64),
-    /// How far the model is from the data.
+    /// Error of the model against the data.
     Error(SphereError),
 }
 
@@ -121,11 +121,11 @@ fn kept(state: &State) -> Vec<Option<MaterialId>> {
 /// `None` where there are no data.
 type Key = (Option<MaterialId>, bool);
 
-/// What stays on the GPU.
+/// Resources that stay on the GPU.
 struct Kept {
     format: wgpu::TextureFormat,
     pass: Arc<OnceLock<SpherePass>>,
-    /// With the data they are of.
+    /// Textures with the tables they are of.
     tables: HashMap<Option<MaterialId>, (Weak<Table>, TableTexture)>,
     slots: HashMap<Key, SphereSlot>,
 }

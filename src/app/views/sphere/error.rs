@@ -10,7 +10,7 @@ use egui::{Align2, Color32, FontId, Pos2, Rect, Stroke, pos2, vec2};
 const ROOM: f32 = 62.0;
 const WIDTH: f32 = 12.0;
 
-/// What the bar leaves of a rectangle.
+/// Part of a rectangle that the bar leaves.
 pub fn beside_bar(rect: Rect) -> Rect {
     let room = ROOM.min(0.3 * rect.width());
     rect.with_max_x(rect.right() - room)

@@ -21,9 +21,9 @@ use crate::geom::sphere::{
 };
 use egui::{Align2, Color32, CursorIcon, FontId, Pos2, Rect, Sense, Stroke, Vec2, pos2, vec2};
 
-/// How near in points the pointer must be to the split line to take it.
+/// Largest distance in points at which the pointer takes the split line.
 const GRAB: f32 = 7.0;
-/// How far from a highlight in sphere radii a drag still takes that light rather than the first one.
+/// Largest distance from a highlight, in sphere radii, at which a drag takes that light rather than the first one.
 const NEAR_HIGHLIGHT: f64 = 0.35;
 
 /// Draws the tile.
@@ -121,7 +121,7 @@ pub struct OnScreen {
     pub frame: Rect,
     /// The square around it, larger than the frame where it is enlarged.
     pub rect: Rect,
-    /// What it shows.
+    /// Content of the sphere.
     pub half: Half,
 }
 
@@ -215,7 +215,7 @@ pub(crate) fn word(ui: &egui::Ui, at: Pos2, align: Align2, text: &str, size: f32
     ui.painter().galley(rect.min, galley, color);
 }
 
-/// Where the probe is under each light. A sphere under one light has one θd: elsewhere the mark is hollow.
+/// Marks of the probe under each light. A sphere under one light has one θd: elsewhere the mark is hollow.
 fn marks(ui: &egui::Ui, state: &State, tile: &SphereSettings, spheres: &[OnScreen]) {
     let angles = state
         .probe()
@@ -256,7 +256,7 @@ fn marks(ui: &egui::Ui, state: &State, tile: &SphereSettings, spheres: &[OnScree
     }
 }
 
-/// What a drag that began on the tile moves, kept by egui while it lasts.
+/// Thing that a drag which began on the tile moves, kept by egui while it lasts.
 #[derive(Clone, Copy)]
 enum Grabbed {
     Split,
