@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 
 /// A page.
 #[derive(Debug)]
-pub struct Page {
+pub struct GuidePage {
     /// Name of its file in `docs/`.
     pub file: &'static str,
     /// Name on screen.
@@ -18,23 +18,23 @@ pub struct Page {
 }
 
 /// The pages in the order offered; the first is the guide itself.
-pub const PAGES: [Page; 4] = [
-    Page {
+pub const PAGES: [GuidePage; 4] = [
+    GuidePage {
         file: "guide.md",
         name: "Guide",
         text: include_str!("../../docs/guide.md"),
     },
-    Page {
+    GuidePage {
         file: "figures.md",
         name: "Figures",
         text: include_str!("../../docs/figures.md"),
     },
-    Page {
+    GuidePage {
         file: "formats.md",
         name: "Formats",
         text: include_str!("../../docs/formats.md"),
     },
-    Page {
+    GuidePage {
         file: "theory.md",
         name: "Theory",
         text: include_str!("../../docs/theory.md"),
@@ -85,7 +85,7 @@ pub struct GuideAt {
 
 /// Destination of a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Target<'a> {
+pub enum LinkTarget<'a> {
     /// Page, and a heading on it, each by position.
     Page(usize, Option<usize>),
     /// Address in the web.
@@ -93,9 +93,9 @@ pub enum Target<'a> {
 }
 
 /// Destination of a link on a page; `None` for one to a file that is not built in.
-pub fn target(page: usize, link: &str) -> Option<Target<'_>> {
+pub fn target(page: usize, link: &str) -> Option<LinkTarget<'_>> {
     if link.starts_with("https://") || link.starts_with("http://") {
-        return Some(Target::Web(link));
+        return Some(LinkTarget::Web(link));
     }
     let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
     let page = match file {
@@ -106,7 +106,7 @@ pub fn target(page: usize, link: &str) -> Option<Target<'_>> {
         "" => None,
         anchor => Some(headings(&BLOCKS[page]).position(|heading| heading.anchor == anchor)?),
     };
-    Some(Target::Page(page, heading))
+    Some(LinkTarget::Page(page, heading))
 }
 
 /// A heading of a page.
@@ -183,14 +183,14 @@ mod tests {
 
     #[test]
     fn links_lead_to_pages_headings_and_the_web() {
-        assert_eq!(target(0, "figures.md"), Some(Target::Page(1, None)));
-        let Some(Target::Page(2, Some(merl))) = target(3, "formats.md#merl") else {
+        assert_eq!(target(0, "figures.md"), Some(LinkTarget::Page(1, None)));
+        let Some(LinkTarget::Page(2, Some(merl))) = target(3, "formats.md#merl") else {
             panic!("no heading on MERL")
         };
         assert_eq!(headings(&BLOCKS[2]).nth(merl).map(|h| h.level), Some(2));
-        assert_eq!(target(2, "#merl"), Some(Target::Page(2, Some(merl))));
+        assert_eq!(target(2, "#merl"), Some(LinkTarget::Page(2, Some(merl))));
         let web = "https://example.org/a#b";
-        assert_eq!(target(0, web), Some(Target::Web(web)));
+        assert_eq!(target(0, web), Some(LinkTarget::Web(web)));
         for nowhere in ["figures.md#nothing", "../README.md", "#nothing"] {
             assert_eq!(target(0, nowhere), None);
         }

@@ -27,7 +27,7 @@ use crate::app::panels::{dialogs, fit, lesson, menu, model, notices, status};
 use crate::app::reduce::apply;
 use crate::app::state::State;
 use crate::app::state::layout::Tiles;
-use crate::app::state::notice::Level;
+use crate::app::state::notice::Severity;
 use crate::app::state::prefs::{Prefs, Theme};
 use crate::app::tasks::Tools;
 use egui::{Key, KeyboardShortcut, Modifiers};
@@ -52,7 +52,7 @@ const PATIENCE: Duration = Duration::from_millis(300);
 const FIT_HEIGHT: f32 = 350.0;
 
 /// Options at the start of the window.
-pub struct Options {
+pub struct WindowOptions {
     /// Files to open.
     pub files: Vec<PathBuf>,
     /// Ways to ask a person for files.
@@ -79,7 +79,7 @@ impl App {
     /// If there is no wgpu renderer.
     pub fn new(
         cc: &eframe::CreationContext<'_>,
-        options: Options,
+        options: WindowOptions,
     ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
         let render_state = cc
             .wgpu_render_state
@@ -161,7 +161,7 @@ impl App {
                 self.state.session.crashed = crashed;
             }
             Err(error) => {
-                reduce::notify(&mut self.state, Level::Error, error.to_string());
+                reduce::notify(&mut self.state, Severity::Error, error.to_string());
             }
         }
     }

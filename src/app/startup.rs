@@ -1,7 +1,7 @@
 //! Opening the window, and plain words where it cannot be opened.
 
 use crate::app::jobs::dialogs::Picker;
-use crate::app::{App, Options};
+use crate::app::{App, WindowOptions};
 use crate::gpu::adapter;
 use eframe::egui_wgpu;
 use std::path::PathBuf;
@@ -29,7 +29,7 @@ pub fn run(files: Vec<PathBuf>) -> Result<(), String> {
         wgpu_options: wgpu_options(),
         ..Default::default()
     };
-    let start = Options {
+    let start = WindowOptions {
         files,
         picker: Picker::system(),
         autosave: eframe::storage_dir("grazing").map(|folder| folder.join("autosave")),

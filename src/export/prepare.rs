@@ -24,7 +24,7 @@ pub struct Prepared {
 }
 
 /// Data in memory by the place of their file.
-pub type Opened = BTreeMap<PathBuf, Arc<Table>>;
+pub type OpenedTables = BTreeMap<PathBuf, Arc<Table>>;
 
 /// Opens the data of a figure and makes what its panels show. `table` gives the data of a measured file or of a
 /// sample; each is asked for once per subject. `follow` breaks where nobody waits any more.
@@ -88,7 +88,7 @@ pub fn open_from_files(
     source: &SubjectSource,
     folder: &Path,
     changed_is_fine: bool,
-    known: &mut Opened,
+    known: &mut OpenedTables,
 ) -> Result<Arc<Table>, ExportError> {
     match source {
         SubjectSource::Measured { file, .. } => {

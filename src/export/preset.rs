@@ -202,7 +202,7 @@ pub static PRESETS: [Preset; 11] = [
 
 /// Options that a preset is built with.
 #[derive(Clone, Debug)]
-pub struct Options {
+pub struct PresetOptions {
     /// The model of presets that show one.
     pub model: &'static Model,
     /// The Fresnel factor of all models.
@@ -235,7 +235,7 @@ impl Preset {
     }
 
     /// The models that each material needs, in this order.
-    pub fn variants(&self, options: &Options) -> Vec<Variant> {
+    pub fn variants(&self, options: &PresetOptions) -> Vec<Variant> {
         let fresnel = options.fresnel;
         let of = |model: &'static Model| Variant { model, fresnel };
         match (self.all_models, self.key) {
@@ -246,7 +246,7 @@ impl Preset {
     }
 
     /// The figure of some materials.
-    pub fn figure(&self, materials: &[PresetMaterial], options: &Options) -> FigureSpec {
+    pub fn figure(&self, materials: &[PresetMaterial], options: &PresetOptions) -> FigureSpec {
         let builder = Builder {
             materials,
             options,

@@ -15,14 +15,14 @@ mod side;
 
 pub use bar::{ColorBar, draw_key, key_width_em};
 pub use colors::ColorScale;
-pub use frame::{HeatFrame, View};
+pub use frame::{HeatFrame, HeatView};
 pub use hatch::hatch;
 pub use layout::fitting_title;
 pub use raster::image;
 pub use side::{Law, Side};
 
 use super::drawing::Drawing;
-use super::mark::Mark;
+use super::mark::ProbeMark;
 
 /// Content of a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,7 +47,7 @@ impl Cell {
 
 /// Cells between edges, in the units of the axes.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Field {
+pub struct HeatField {
     /// Edges of the columns, ascending; one more than there are columns.
     pub x: Vec<f64>,
     /// Edges of the rows, ascending; one more than there are rows.
@@ -56,7 +56,7 @@ pub struct Field {
     pub cells: Vec<Cell>,
 }
 
-impl Field {
+impl HeatField {
     /// A field with a cell for every pair of column and row.
     pub fn new(x: Vec<f64>, y: Vec<f64>, cell: impl Fn(usize, usize) -> Cell) -> Self {
         let (columns, rows) = (x.len().saturating_sub(1), y.len().saturating_sub(1));
@@ -125,11 +125,11 @@ pub enum CurveKind {
 
 /// A place that is marked.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Spot {
+pub enum HeatSpot {
     /// The probe: a crosshair with a dot.
-    Probe(Mark<[f64; 2]>),
+    Probe(ProbeMark<[f64; 2]>),
     /// The probe again, where the axes may be swapped: a dot.
-    Mirrored(Mark<[f64; 2]>),
+    Mirrored(ProbeMark<[f64; 2]>),
     /// Place of the sliders: a dot.
     Here([f64; 2]),
     /// The best: a diamond.
@@ -148,7 +148,7 @@ pub struct HeatSpec {
     /// Upwards.
     pub y: Side,
     /// The part of both that is in sight.
-    pub view: View,
+    pub view: HeatView,
     /// Law from values to colours.
     pub colors: ColorScale,
     /// Quantity and unit of the colours, in the markup of [`super::text`].
@@ -162,7 +162,7 @@ pub struct HeatSpec {
     /// Lines over the cells.
     pub curves: Vec<Curve>,
     /// Marks over the lines.
-    pub spots: Vec<Spot>,
+    pub spots: Vec<HeatSpot>,
     /// One sentence in place of cells where there are none.
     pub nothing: &'static str,
 }
@@ -178,8 +178,8 @@ pub struct HeatMap {
 
 impl HeatMap {
     /// Draws a field into `size` points.
-    pub fn new(spec: &HeatSpec, field: &Field, size: [f32; 2]) -> Self {
-        let plan = layout::Plan::new(spec, field, size);
+    pub fn new(spec: &HeatSpec, field: &HeatField, size: [f32; 2]) -> Self {
+        let plan = layout::HeatLayout::new(spec, field, size);
         let drawing = draw::draw(spec, field, &plan, size);
         Self {
             drawing,

@@ -7,7 +7,7 @@ pub use panel::LandscapePanel;
 pub use terrain::Terrain;
 
 use super::contour::contours;
-use super::heatmap::{ColorScale, Curve, CurveKind, HeatSpec, Law, Side, Spot, View};
+use super::heatmap::{ColorScale, Curve, CurveKind, HeatSpec, HeatSpot, HeatView, Law, Side};
 use super::scale::number;
 
 /// Settings of a landscape besides its terrain.
@@ -16,7 +16,7 @@ pub struct LandscapeSpec {
     /// Words for η in the title, such as "η = 1.5", in the markup of [`super::text`].
     pub eta: String,
     /// The part in sight.
-    pub view: View,
+    pub view: HeatView,
     /// (s, α) of a fit, from its start to its end.
     pub path: Vec<[f64; 2]>,
     /// (s, α) at which the sliders stand.
@@ -76,10 +76,10 @@ impl LandscapeSpec {
                 label: None,
             });
         }
-        let mut spots: Vec<Spot> = Vec::new();
-        spots.extend(self.path.first().map(|at| Spot::Start(*at)));
-        spots.extend(self.best.map(|(at, _)| Spot::Best(at)));
-        spots.extend(self.here.map(Spot::Here));
+        let mut spots: Vec<HeatSpot> = Vec::new();
+        spots.extend(self.path.first().map(|at| HeatSpot::Start(*at)));
+        spots.extend(self.best.map(|(at, _)| HeatSpot::Best(at)));
+        spots.extend(self.here.map(HeatSpot::Here));
         HeatSpec {
             title: vec![
                 format!(
@@ -152,7 +152,7 @@ mod tests {
             percent: vec![1.0],
             ..terrain()
         };
-        assert_eq!(broken.field(), crate::figure::heatmap::Field::default());
+        assert_eq!(broken.field(), crate::figure::heatmap::HeatField::default());
     }
 
     #[test]
@@ -178,7 +178,7 @@ mod tests {
     fn a_flat_or_missing_terrain_is_drawn_too() {
         let spec = LandscapeSpec {
             eta: "η = 1.5".into(),
-            view: View::default(),
+            view: HeatView::default(),
             path: vec![[1.0, 0.5], [1e9, 2.0]],
             here: Some([50.0, 0.5]),
             best: None,

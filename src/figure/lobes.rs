@@ -37,7 +37,7 @@ impl LobePlot {
     pub fn new(spec: &LobeSpec, subjects: &[Subject], size: [f32; 2]) -> Self {
         let traces = traces::trace_all(spec, subjects);
         let axis = axis_for(spec, &traces);
-        let plan = layout::Plan::new(spec, subjects, size);
+        let plan = layout::LobeLayout::new(spec, subjects, size);
         let frame = LobeFrame {
             origin: plan.origin,
             radius: plan.radius,

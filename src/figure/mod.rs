@@ -42,7 +42,7 @@ pub use cosine::CosineFactor;
 pub use drawing::{Anchor, Drawing, Item, Label, Point};
 pub use legend::LegendEntry;
 pub use lobes::{LobePlot, LobeSpec};
-pub use mark::Mark;
+pub use mark::ProbeMark;
 pub use palette::{Ink, Palette, Role};
 pub use scale::{Axis, RadialScale};
 pub use sphere_image::sphere_image;

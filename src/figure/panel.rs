@@ -6,7 +6,7 @@ use super::fit_output::FitOutput;
 use super::palette::Palette;
 use super::scale::{Axis, RadialScale};
 use super::subject::{Channel, Look, Source, Subject};
-use super::table::Table;
+use super::table::DataTable;
 
 /// Settings that must agree for the axes of two panels of one kind of view to have the same ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,7 +49,7 @@ pub struct PanelDrawing {
     /// The picture, of the size that was asked for.
     pub drawing: Drawing,
     /// The numbers in the picture; no rows where it is a picture only.
-    pub table: Table,
+    pub table: DataTable,
     /// Axis of values, where others may have the same.
     pub axis: Option<Axis>,
 }

@@ -12,7 +12,7 @@ pub use spec::{OVERS, Over, RESIDUALS, Residual, SliceSpec};
 
 use super::drawing::{Drawing, Point};
 use super::legend::LegendEntry;
-use super::plot::Frame;
+use super::plot::PlotFrame;
 use super::subject::Subject;
 
 /// A plot of slices: the picture, where things are in it, and the numbers behind it.
@@ -21,9 +21,9 @@ pub struct SlicePlot {
     /// The picture.
     pub drawing: Drawing,
     /// Map between values and points of the drawing: x in degrees, y in 1/sr.
-    pub frame: Frame,
+    pub frame: PlotFrame,
     /// Map between values and points of the panel of residuals below, if there are any.
-    pub strip: Option<Frame>,
+    pub strip: Option<PlotFrame>,
     /// Curves as numbers, within the window.
     pub traces: Vec<SliceTrace>,
     /// The residuals as numbers.

@@ -16,11 +16,11 @@ macro_rules! view_list {
         /// Kinds of views, by their names in files.
         #[derive(Clone, Copy, serde::Deserialize)]
         #[serde(rename_all = "kebab-case")]
-        enum Kind {
+        enum ViewKind {
             $($view,)*
         }
 
-        impl Kind {
+        impl ViewKind {
             fn with_defaults(self) -> ViewSpec {
                 match self {
                     $(Self::$view => ViewSpec::$view(Default::default()),)*
@@ -31,15 +31,15 @@ macro_rules! view_list {
         impl ViewSpec {
             /// Views with their default settings, one of each kind.
             pub fn defaults() -> Vec<Self> {
-                vec![$(Kind::$view.with_defaults(),)*]
+                vec![$(ViewKind::$view.with_defaults(),)*]
             }
 
             /// Name in files and on the command line.
             pub fn key(&self) -> &'static str {
                 let kind = match self {
-                    $(Self::$view(_) => Kind::$view,)*
+                    $(Self::$view(_) => ViewKind::$view,)*
                 };
-                $crate::keys::key_at::<Kind>(kind as usize)
+                $crate::keys::key_at::<ViewKind>(kind as usize)
             }
 
             /// Settings as a panel that draws itself.
@@ -78,7 +78,7 @@ macro_rules! view_list {
                     fn visit_str<E: serde::de::Error>(self, name: &str) -> Result<ViewSpec, E> {
                         use serde::de::IntoDeserializer;
                         let name: serde::de::value::StrDeserializer<'_, E> = name.into_deserializer();
-                        <Kind as serde::Deserialize>::deserialize(name).map(Kind::with_defaults)
+                        <ViewKind as serde::Deserialize>::deserialize(name).map(ViewKind::with_defaults)
                     }
 
                     fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<ViewSpec, A::Error> {

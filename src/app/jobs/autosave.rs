@@ -9,9 +9,9 @@ use crate::app::msg::work::Work;
 use crate::app::session::file::SessionFile;
 use crate::app::state::State;
 use crate::app::state::fitting::kept::SortBy;
-use crate::app::state::fitting::settings::Settings;
+use crate::app::state::fitting::settings::FitSettings;
 use crate::app::state::material::{MaterialId, Origin, Presence};
-use crate::app::state::notice::Level;
+use crate::app::state::notice::Severity;
 use crate::app::state::session::Crashed;
 use crate::files;
 use crate::files::FileError;
@@ -140,7 +140,7 @@ impl Autosave {
                 });
                 match written {
                     Ok(()) => remove_restored(&restored),
-                    Err(error) => send(Msg::Notify(Level::Error, error.to_string())),
+                    Err(error) => send(Msg::Notify(Severity::Error, error.to_string())),
                 }
             }
         }));
@@ -231,18 +231,18 @@ fn is_worth_keeping(state: &State) -> bool {
 struct Seen {
     scene: crate::app::state::Scene,
     tiles: crate::app::state::layout::Tiles,
-    settings: Settings,
+    settings: FitSettings,
     keep_optimal: bool,
     sort: SortBy,
     pinned: Option<crate::app::state::probe::Probe>,
-    materials: Vec<Mark>,
+    materials: Vec<MaterialMark>,
     saved_as: Option<PathBuf>,
 }
 
 /// A material as far as it changes beside the scene: where it is, its fits by their E and tick.
-type Mark = (MaterialId, Origin, Presence, Vec<(u64, bool)>);
+type MaterialMark = (MaterialId, Origin, Presence, Vec<(u64, bool)>);
 
-fn marks(state: &State) -> impl Iterator<Item = Mark> {
+fn marks(state: &State) -> impl Iterator<Item = MaterialMark> {
     state.scene.opened.iter().filter_map(|opened| {
         let material = state.materials.get(&opened.id)?;
         // A table that comes or goes is no change.

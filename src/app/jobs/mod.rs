@@ -18,7 +18,7 @@ pub mod session;
 use crate::app::jobs::sender::Sender;
 use crate::app::msg::Msg;
 use crate::app::msg::work::{OnPanic, Order, Work};
-use crate::app::state::notice::Level;
+use crate::app::state::notice::Severity;
 use std::any::Any;
 use std::collections::{HashMap, VecDeque};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -104,7 +104,7 @@ impl Jobs {
             }
             drop(shared);
             let text = format!("Could not start a thread for {doing}: {error}.");
-            self.sender.send(Msg::Notify(Level::Error, text));
+            self.sender.send(Msg::Notify(Severity::Error, text));
         }
     }
 
@@ -148,7 +148,7 @@ impl Jobs {
                 "An error of the program stopped it while {doing} ({}). The rest goes on; please report it.",
                 reason(&*payload)
             );
-            let notice = |text| send(Msg::Notify(Level::Error, text));
+            let notice = |text| send(Msg::Notify(Severity::Error, text));
             match on_panic {
                 OnPanic::Notify => notice(text),
                 OnPanic::NotifyAndSend(failed) => {
@@ -211,7 +211,7 @@ mod tests {
     }
 
     fn say(text: &str) -> Msg {
-        Msg::Notify(Level::Info, text.into())
+        Msg::Notify(Severity::Info, text.into())
     }
 
     #[test]

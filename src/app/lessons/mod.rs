@@ -23,12 +23,12 @@ pub struct Lesson {
     /// One sentence.
     pub about: &'static str,
     /// Steps in order, from three to six.
-    pub steps: &'static [Step],
+    pub steps: &'static [LessonStep],
 }
 
 /// A step of a lesson.
 #[derive(Debug)]
-pub struct Step {
+pub struct LessonStep {
     /// A few sentences, in the markup of [`crate::figure::text`].
     pub text: &'static str,
     /// Settings made when the step begins.
@@ -79,7 +79,7 @@ pub enum LookAt {
 
 impl LessonAt {
     /// The step.
-    pub fn step(self) -> Option<&'static Step> {
+    pub fn step(self) -> Option<&'static LessonStep> {
         LESSONS.get(self.lesson)?.steps.get(self.step)
     }
 }

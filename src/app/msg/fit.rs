@@ -2,7 +2,7 @@
 
 use crate::app::state::fitting::kept::SortBy;
 use crate::app::state::fitting::run::FitUpdates;
-use crate::app::state::fitting::settings::{Settings, Setup};
+use crate::app::state::fitting::settings::{FitSettings, Setup};
 use crate::app::state::job::CancelFlag;
 use crate::app::state::material::MaterialId;
 use crate::brdf::Brdf;
@@ -15,7 +15,7 @@ use std::sync::Arc;
 #[expect(missing_docs, reason = "the line over each message names its fields")]
 pub enum FitMsg {
     /// Change what the next fit is asked.
-    Settings(Settings),
+    Settings(FitSettings),
     /// The fit under way reports.
     Updates(FitUpdates),
     /// A fit ended.

@@ -3,7 +3,7 @@
 use crate::app::state::fitting::settings::Setup;
 use crate::app::state::job::{CancelFlag, Hold};
 use crate::app::state::library::Examined;
-use crate::app::state::library::listing::Sort;
+use crate::app::state::library::listing::FileSort;
 use crate::files::fits::FitRecord;
 use crate::files::folder::FileContent;
 use crate::fit::Variant;
@@ -38,7 +38,7 @@ pub enum LibraryMsg {
     /// Change the words that are searched.
     Search(String),
     /// Change the order.
-    Sort(Sort),
+    Sort(FileSort),
     /// Show a file; whether it is more than a preview.
     Show { path: PathBuf, keep: bool },
     /// Go on by so many files, or open materials.

@@ -19,7 +19,7 @@ use crate::app::msg::work::Work;
 use crate::app::state::job::CancelFlag;
 use crate::app::state::layout::Tiles;
 use crate::app::state::material::Origin;
-use crate::app::state::notice::Level;
+use crate::app::state::notice::Severity;
 use crate::app::state::probe::Probe;
 use crate::app::state::subject_key::SubjectKey;
 use crate::app::state::view_settings::{AnySettings, Settings};
@@ -104,7 +104,7 @@ pub enum Msg {
     /// Close the dialog.
     CloseDialog,
     /// Say something.
-    Notify(Level, String),
+    Notify(Severity, String),
     /// Close a notice.
     Dismiss(u64),
     /// No button and no key is held: the gesture is over.

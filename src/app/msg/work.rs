@@ -7,7 +7,7 @@ use std::fmt;
 pub type SendMsg<'a> = dyn Fn(Msg) + Sync + 'a;
 
 /// Does the work.
-pub type Run = Box<dyn FnOnce(&SendMsg) + Send>;
+pub type WorkFn = Box<dyn FnOnce(&SendMsg) + Send>;
 
 /// Work for a thread in the background, and what becomes of the state where it panics.
 pub struct Work {
@@ -15,8 +15,8 @@ pub struct Work {
     pub doing: String,
     /// Whether it waits for others.
     pub order: Order,
-    /// Function that does it on a thread of the pool; it sends messages as it goes.
-    pub run: Run,
+    /// Function that runs on a background thread and sends messages as it goes.
+    pub run: WorkFn,
     /// Change of the state where it panics.
     pub on_panic: OnPanic,
 }

@@ -3,7 +3,7 @@
 mod blocks;
 
 use crate::app::guide::markdown::words;
-use crate::app::guide::{BLOCKS, GuideAt, PAGES, Target, headings, target};
+use crate::app::guide::{BLOCKS, GuideAt, LinkTarget, PAGES, headings, target};
 use crate::app::msg::Msg;
 use blocks::page_ui;
 use egui::{Id, OpenUrl, ScrollArea, Ui, vec2};
@@ -38,8 +38,8 @@ pub fn guide_ui(ui: &mut Ui, at: GuideAt, out: &mut Vec<Msg>) {
         ui.vertical(|ui| {
             if let Some(link) = read_ui(ui, at) {
                 match target(at.page, &link) {
-                    Some(Target::Page(page, heading)) => out.push(go(page, heading)),
-                    Some(Target::Web(url)) => ui.ctx().open_url(OpenUrl::new_tab(url)),
+                    Some(LinkTarget::Page(page, heading)) => out.push(go(page, heading)),
+                    Some(LinkTarget::Web(url)) => ui.ctx().open_url(OpenUrl::new_tab(url)),
                     None => {}
                 }
             }

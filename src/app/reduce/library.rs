@@ -5,8 +5,8 @@ use crate::app::msg::library::{LibraryMsg, LibraryTask};
 use crate::app::reduce::{folder_fit, memory, notify, show};
 use crate::app::state::State;
 use crate::app::state::job::CancelFlag;
-use crate::app::state::library::{Folder, FolderFile, Kind, Scan};
-use crate::app::state::notice::Level;
+use crate::app::state::library::{FileKind, Folder, FolderFile, Scan};
+use crate::app::state::notice::Severity;
 use crate::app::state::prefs::MemoryLimit;
 use crate::files;
 use crate::files::fits::MaterialFits;
@@ -33,8 +33,8 @@ pub(crate) fn apply(state: &mut State, msg: LibraryMsg) -> Vec<Task> {
         } => {
             if let Some(file) = file_mut(state, number, index) {
                 file.kind = match result {
-                    Ok(examined) => Kind::Measured(Some(examined)),
-                    Err(reason) => Kind::Other(reason),
+                    Ok(examined) => FileKind::Measured(Some(examined)),
+                    Err(reason) => FileKind::Other(reason),
                 };
             }
         }
@@ -107,14 +107,14 @@ fn listed(state: &mut State, number: u64, result: Result<Vec<PathBuf>, String>) 
             let file = |path: PathBuf| FolderFile {
                 name: shown_name(&path),
                 path,
-                kind: Kind::Unknown,
+                kind: FileKind::Unknown,
             };
             folder.files = paths.into_iter().map(file).collect();
             folder.scan = Scan::Looking;
         }
         Err(reason) => {
             state.library.folder = None;
-            notify(state, Level::Error, reason);
+            notify(state, Severity::Error, reason);
         }
     }
 }
@@ -124,14 +124,14 @@ fn see(state: &mut State, number: u64, index: usize, result: Result<FileContent,
         return;
     };
     match result {
-        Ok(FileContent::Measured) => file.kind = Kind::Measured(None),
+        Ok(FileContent::Measured) => file.kind = FileKind::Measured(None),
         Ok(FileContent::Models(all)) => {
-            file.kind = Kind::Models(all.len());
+            file.kind = FileKind::Models(all.len());
             for fits in &all {
                 take_fits(state, fits);
             }
         }
-        Err(reason) => file.kind = Kind::Other(reason),
+        Err(reason) => file.kind = FileKind::Other(reason),
     }
 }
 

@@ -16,7 +16,7 @@ pub mod show;
 use crate::app::msg::{Msg, Task};
 use crate::app::reduce::opening::load;
 use crate::app::state::material::Origin;
-use crate::app::state::notice::{Dialog, Level, Notice};
+use crate::app::state::notice::{Dialog, Notice, Severity};
 use crate::app::state::subjects::Subjects;
 use crate::app::state::{Scene, State, subjects};
 use crate::brdf::{Brdf, ParamId, Params};
@@ -164,7 +164,7 @@ pub(crate) fn edit_brdf(state: &mut State, change: impl FnOnce(&mut Brdf)) {
     });
 }
 
-pub(crate) fn notify(state: &mut State, level: Level, text: String) {
+pub(crate) fn notify(state: &mut State, level: Severity, text: String) {
     let id = state.fresh_id();
     state.notices.push(Notice { id, level, text });
 }

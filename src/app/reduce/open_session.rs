@@ -4,11 +4,11 @@ use crate::app::msg::Task;
 use crate::app::reduce::opening::{forget_unreachable, load};
 use crate::app::reduce::{edit, fit, memory, notify};
 use crate::app::session::file::{SavedFitting, SavedKey, SavedMaterial, SavedWhat, SessionFile};
-use crate::app::session::places::{Found, Place};
+use crate::app::session::places::{FilePlace, FoundSession};
 use crate::app::state::fitting::kept::KeptFit;
-use crate::app::state::fitting::settings::Settings;
+use crate::app::state::fitting::settings::FitSettings;
 use crate::app::state::material::{Material, MaterialId, Opened, Origin, Presence};
-use crate::app::state::notice::Level;
+use crate::app::state::notice::Severity;
 use crate::app::state::probe::Probe;
 use crate::app::state::session::Missing;
 use crate::app::state::subject_key::{SubjectKey, What};
@@ -25,7 +25,7 @@ const REMARKS: usize = 3;
 
 /// Puts a session in place of what is open, as one step. Tiles, settings of the fit and the pinned probe are no part of
 /// the history, here as elsewhere.
-pub(crate) fn open(state: &mut State, job: u64, path: &Path, found: Found) -> Vec<Task> {
+pub(crate) fn open(state: &mut State, job: u64, path: &Path, found: FoundSession) -> Vec<Task> {
     state.jobs.retain(|other| other.id != job);
     // What a fit has found so far belongs to what is left, and comes back with it.
     fit::stop(state);
@@ -35,7 +35,7 @@ pub(crate) fn open(state: &mut State, job: u64, path: &Path, found: Found) -> Ve
     state.library.cursor = None;
     state.lesson = None;
 
-    let Found {
+    let FoundSession {
         session,
         remarks,
         places,
@@ -90,7 +90,7 @@ fn put(state: &mut State, scene: Scene) {
     state.history.settle(&state.scene);
 }
 
-fn add(state: &mut State, path: &Path, saved: &SavedMaterial, place: Place) -> MaterialId {
+fn add(state: &mut State, path: &Path, saved: &SavedMaterial, place: FilePlace) -> MaterialId {
     let id = MaterialId(state.fresh_id());
     let key = saved.sample.as_deref();
     let sample = key.and_then(|key| SAMPLES.iter().position(|sample| sample.key == key));
@@ -168,10 +168,10 @@ fn take_the_rest(state: &mut State, session: &SessionFile) {
     }
 }
 
-fn settings(saved: &SavedFitting) -> Settings {
+fn settings(saved: &SavedFitting) -> FitSettings {
     let stages = STAGES.into_iter();
     let stages = stages.filter(|stage| saved.stages.contains(&stage.number()));
-    Settings {
+    FitSettings {
         weight: saved.weight,
         limit: saved.limit,
         stages: stages.collect(),
@@ -202,12 +202,12 @@ fn name(state: &mut State, number: u64, path: &Path, saved_as: Option<String>) {
 fn remark(state: &mut State, path: &Path, remarks: Vec<String>) {
     let more = remarks.len().saturating_sub(REMARKS);
     for text in remarks.into_iter().take(REMARKS) {
-        notify(state, Level::Info, text);
+        notify(state, Severity::Info, text);
     }
     if more > 0 {
         let what = format!("{more} more remarks on this session are not shown");
         let text = files::FileError::new(path, what).to_string();
-        notify(state, Level::Info, text);
+        notify(state, Severity::Info, text);
     }
 }
 

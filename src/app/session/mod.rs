@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! State ── write.rs ──▶ SessionFile (file.rs) ── text ──▶ study.grazing.json, or a file in the autosave folder
-//! text ── read.rs, sanitize.rs ──▶ SessionFile ── places.rs: which files are there ──▶ Found ── reduce/open_session.rs ──▶ State
+//! text ── read.rs, sanitize.rs ──▶ SessionFile ── places.rs: which files are there ──▶ FoundSession ── reduce/open_session.rs ──▶ State
 //! ```
 //!
 //! Opening is one edit of the scene: its materials are in it at once, and their data come one by one through the jobs

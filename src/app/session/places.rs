@@ -7,18 +7,18 @@ use std::path::{Path, PathBuf};
 
 /// A session that was read, and where its files are.
 #[derive(Clone, Debug)]
-pub struct Found {
+pub struct FoundSession {
     /// Session as the file says it.
     pub session: SessionFile,
     /// A line on each thing that was not taken as it stands in the file.
     pub remarks: Vec<String>,
     /// Places of the materials' files, one for each material.
-    pub places: Vec<Place>,
+    pub places: Vec<FilePlace>,
 }
 
 /// Place of the file of a material.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Place {
+pub struct FilePlace {
     /// File that is there.
     pub found: Option<PathBuf>,
     /// Paths at which it was looked for.
@@ -29,7 +29,7 @@ pub struct Place {
 ///
 /// # Errors
 /// One line that says why it is no session, with the path last.
-pub fn find(path: &Path, text: &str) -> Result<Found, FileError> {
+pub fn find(path: &Path, text: &str) -> Result<FoundSession, FileError> {
     let say = |what: String| FileError::new(path, what);
     let (mut session, remarks) = read(text).map_err(say)?;
     let path = absolute(path);
@@ -37,19 +37,19 @@ pub fn find(path: &Path, text: &str) -> Result<Found, FileError> {
     let mut places = Vec::new();
     for material in &mut session.materials {
         let Some(source) = &mut material.source else {
-            places.push(Place::default());
+            places.push(FilePlace::default());
             continue;
         };
         let tried = source.places(folder);
         if source.relative.is_some() {
             source.beside = tried.first().cloned();
         }
-        places.push(Place {
+        places.push(FilePlace {
             found: tried.iter().find(|place| place.is_file()).cloned(),
             tried,
         });
     }
-    Ok(Found {
+    Ok(FoundSession {
         session,
         remarks: remarks
             .into_iter()

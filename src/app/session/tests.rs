@@ -5,7 +5,7 @@ use crate::app::msg::session::SessionMsg;
 use crate::app::reduce::apply;
 use crate::app::reduce::fit::keep_fit;
 use crate::app::session::file::SessionFile;
-use crate::app::session::places::{Found, find};
+use crate::app::session::places::{FoundSession, find};
 use crate::app::state::State;
 use crate::app::state::fitting::kept::{KeptFit, SortBy};
 use crate::app::state::material::{Material, MaterialId, Opened, Origin, Presence};
@@ -69,7 +69,7 @@ fn kept(brdf: Brdf, error: f64) -> KeptFit {
     let mut options = FitOptions::default();
     options.held.s = Some(brdf.params.s);
     options.bounds.rho_d = Some((0.0, 0.5));
-    let mut setup = crate::app::state::fitting::settings::Settings::default().setup(&brdf);
+    let mut setup = crate::app::state::fitting::settings::FitSettings::default().setup(&brdf);
     setup.options = options;
     setup.limit = 77f64.to_radians();
     let albedo = [[0.5; 3], [0.6; 3], [1.1, 0.2, 0.3]];
@@ -216,7 +216,7 @@ fn text(state: &State) -> String {
     session.text().expect("data that JSON has")
 }
 
-fn found(text: &str) -> Found {
+fn found(text: &str) -> FoundSession {
     find(Path::new(PATH), text).expect("a session")
 }
 

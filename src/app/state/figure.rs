@@ -1,7 +1,7 @@
 //! Settings of figures, and the views that go into one.
 
 use crate::app::state::views::ViewId;
-use crate::export::Format;
+use crate::export::FigureFormat;
 use crate::figure::page::Style;
 use serde::{Deserialize, Serialize};
 
@@ -12,7 +12,7 @@ pub struct FigurePrefs {
     /// Look on paper.
     pub style: Style,
     /// File format.
-    pub format: Format,
+    pub format: FigureFormat,
     /// Panels beside each other.
     pub columns: usize,
 }
@@ -21,7 +21,7 @@ impl Default for FigurePrefs {
     fn default() -> Self {
         Self {
             style: Style::default(),
-            format: Format::default(),
+            format: FigureFormat::default(),
             columns: 2,
         }
     }
@@ -29,7 +29,7 @@ impl Default for FigurePrefs {
 
 /// Views under the pointer, and those that go into a figure.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Views {
+pub struct FigureViews {
     /// Under the pointer.
     pub pointed: Option<ViewId>,
     /// The last one that was.

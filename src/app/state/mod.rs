@@ -31,7 +31,7 @@ pub mod view_settings;
 pub mod views;
 
 use crate::app::state::cache::Caches;
-use crate::app::state::figure::Views;
+use crate::app::state::figure::FigureViews;
 use crate::app::state::fitting::FitState;
 use crate::app::state::history::History;
 use crate::app::state::job::Job;
@@ -117,7 +117,7 @@ pub struct State {
     /// The pair of directions that stays marked wherever the pointer goes.
     pub pinned: Option<Probe>,
     /// The views that commands and figures are about.
-    pub views: Views,
+    pub views: FigureViews,
     /// Place of a learner in the lessons.
     pub lesson: Option<LessonAt>,
     /// Jobs under way, the oldest first.

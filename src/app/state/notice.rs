@@ -4,7 +4,7 @@ use crate::app::guide::GuideAt;
 
 /// Severity of a notice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Level {
+pub enum Severity {
     /// Good to know.
     Info,
     /// Something did not work.
@@ -17,7 +17,7 @@ pub struct Notice {
     /// Number of the notice.
     pub id: u64,
     /// Severity.
-    pub level: Level,
+    pub level: Severity,
     /// One line.
     pub text: String,
 }

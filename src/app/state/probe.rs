@@ -1,6 +1,6 @@
 //! The probe: one pair of directions that every view marks, moved by whichever view is under the pointer.
 
-use crate::figure::Mark;
+use crate::figure::ProbeMark;
 use crate::geom::{HalfDiff, Rgb, direction, directions};
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -54,11 +54,11 @@ impl Probe {
     }
 
     /// Mark at its signed θo in radians, for the plane of incidence at `theta_i`; exact where the probe is there.
-    pub fn mark_in_plane(self, theta_i: f64) -> Mark {
+    pub fn mark_in_plane(self, theta_i: f64) -> ProbeMark {
         let at = self.signed_theta_o();
         let off_plane = (self.wi.x * self.wo.y - self.wi.y * self.wo.x).abs();
         let sines = self.wi.truncate().length() * self.wo.truncate().length();
-        Mark {
+        ProbeMark {
             at,
             exact: same(self.theta_i(), theta_i) && off_plane <= SAME * sines.max(SAME),
         }

@@ -1,6 +1,6 @@
 //! The gestures of a plot on straight axes: the wheel zooms, a drag pans, a double click resets.
 
-use crate::figure::plot::Frame;
+use crate::figure::plot::PlotFrame;
 use crate::figure::scale::Axis;
 use egui::{PointerButton, Pos2};
 
@@ -19,7 +19,7 @@ pub enum Zoom {
 const WHEEL: f64 = 240.0;
 
 /// The gesture on a plot, if there is one. y where the pointer is left of the frame or Ctrl is held, else x.
-pub fn gesture(ui: &egui::Ui, response: &egui::Response, frame: &Frame) -> Option<Zoom> {
+pub fn gesture(ui: &egui::Ui, response: &egui::Response, frame: &PlotFrame) -> Option<Zoom> {
     if response.double_clicked() {
         return Some(Zoom::Reset);
     }

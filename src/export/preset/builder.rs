@@ -1,6 +1,6 @@
 //! The rows of a preset's page, from materials and options.
 
-use super::{Options, Preset, PresetMaterial};
+use super::{Preset, PresetMaterial, PresetOptions};
 use crate::brdf::Brdf;
 use crate::export::spec::{SubjectLook, SubjectSource, SubjectSpec};
 use crate::figure::ViewSpec;
@@ -14,7 +14,7 @@ use crate::figure::sphere_image::{SphereShow, SphereSpec};
 /// A preset with what it is made for.
 pub(super) struct Builder<'a> {
     pub materials: &'a [PresetMaterial],
-    pub options: &'a Options,
+    pub options: &'a PresetOptions,
     pub preset: &'a Preset,
 }
 

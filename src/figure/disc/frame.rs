@@ -1,8 +1,8 @@
 //! Map between directions and points of a disc.
 
-use super::projection::Projection;
+use super::projection::DiscProjection;
 use crate::figure::drawing::Point;
-use crate::figure::heatmap::{HeatFrame, Law, Side, View};
+use crate::figure::heatmap::{HeatFrame, HeatView, Law, Side};
 use glam::DVec3;
 
 /// The disc in a drawing.
@@ -13,7 +13,7 @@ pub struct DiscFrame {
     /// Radius in points: the horizon.
     pub radius: f32,
     /// Law from θo to the distance from the middle.
-    pub projection: Projection,
+    pub projection: DiscProjection,
 }
 
 impl DiscFrame {
@@ -63,7 +63,7 @@ impl DiscFrame {
             max: self.at([1.0, -1.0]),
             x: side(),
             y: side(),
-            view: View::default(),
+            view: HeatView::default(),
         }
     }
 }

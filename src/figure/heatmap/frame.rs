@@ -6,15 +6,15 @@ use serde::{Deserialize, Serialize};
 
 /// The part of both axes that is in sight, as shares from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct View {
+#[serde(default, rename = "View")]
+pub struct HeatView {
     /// First and last share to the right.
     pub x: (f64, f64),
     /// First and last share upwards.
     pub y: (f64, f64),
 }
 
-impl Default for View {
+impl Default for HeatView {
     /// All.
     fn default() -> Self {
         Self {
@@ -27,7 +27,7 @@ impl Default for View {
 /// The least share of an axis that fills the picture.
 const CLOSEST: f64 = 0.02;
 
-impl View {
+impl HeatView {
     /// View shrunk towards a share of the picture (from its lower left corner) by a factor: below 1 is nearer.
     pub fn zoomed(self, at: [f64; 2], factor: f64) -> Self {
         let zoom = |(low, high): (f64, f64), at: f64| {
@@ -85,7 +85,7 @@ pub struct HeatFrame {
     /// Upwards.
     pub y: Side,
     /// Part of the map in sight.
-    pub view: View,
+    pub view: HeatView,
 }
 
 impl HeatFrame {

@@ -53,7 +53,7 @@ impl Camera {
 
 /// A camera on a canvas of a size in points.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Projection {
+pub struct SpaceProjection {
     /// Direction and zoom of the view.
     pub camera: Camera,
     /// The point of the canvas where the middle of the view is.
@@ -62,7 +62,7 @@ pub struct Projection {
     pub scale: f64,
 }
 
-impl Projection {
+impl SpaceProjection {
     /// The dome with its arrows fits between the points `min` and `max` at zoom 1.
     pub fn new(camera: Camera, min: Point, max: Point) -> Self {
         let (width, height) = (f64::from(max[0] - min[0]), f64::from(max[1] - min[1]));

@@ -2,7 +2,7 @@
 
 use super::{LobeFrame, LobeSpec};
 use crate::figure::drawing::{Anchor, Drawing, Item, Label, Point};
-use crate::figure::mark::Mark;
+use crate::figure::mark::ProbeMark;
 use crate::figure::palette::{Ink, Role};
 use crate::figure::placing::Placing;
 use crate::figure::scale::power_of_ten;
@@ -129,7 +129,7 @@ pub(super) fn vectors(canvas: &mut LobeCanvas, spec: &LobeSpec) {
     let active = spec.theta_i.get(spec.active).copied();
     if let Some(theta_i) = active {
         vector(canvas, -theta_i, "ω_{i}", Role::Accent.into());
-        if let Some(Mark {
+        if let Some(ProbeMark {
             at: theta_o,
             exact: true,
         }) = spec.probe

@@ -7,7 +7,7 @@ use crate::figure::subject::Subject;
 use crate::figure::text::{RichText, elided};
 
 /// Places and sizes in points.
-pub(super) struct Plan {
+pub(super) struct LobeLayout {
     /// Font size.
     pub font: f32,
     /// Middle of the surface line.
@@ -20,7 +20,7 @@ pub(super) struct Plan {
     pub legend: Vec<(usize, RichText, Point)>,
 }
 
-impl Plan {
+impl LobeLayout {
     pub(super) fn new(spec: &LobeSpec, subjects: &[Subject], [width, height]: [f32; 2]) -> Self {
         let font = font_size([width, height]);
         let pad = 0.7 * font;

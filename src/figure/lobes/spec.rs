@@ -1,7 +1,7 @@
 //! The settings of a lobe plot, and what it plots of a subject.
 
 use crate::figure::cosine::CosineFactor;
-use crate::figure::mark::Mark;
+use crate::figure::mark::ProbeMark;
 use crate::figure::scale::RadialScale;
 use crate::figure::subject::{Channel, Subject};
 use crate::geom::degrees;
@@ -26,7 +26,7 @@ pub struct LobeSpec {
     pub channel: Channel,
     /// The view direction under the probe: signed θo in radians.
     #[serde(skip)]
-    pub probe: Option<Mark>,
+    pub probe: Option<ProbeMark>,
     /// The values in the middle and at the rim, in 1/sr; from the curves without.
     pub limits: Option<[f64; 2]>,
     /// Whether it is for paper: nothing to take hold of, no lobe before the others.

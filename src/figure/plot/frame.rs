@@ -5,7 +5,7 @@ use crate::figure::scale::Axis;
 
 /// The rectangle of a plot with its two axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frame {
+pub struct PlotFrame {
     /// Upper left corner in points of the drawing.
     pub min: Point,
     /// Lower right corner.
@@ -16,7 +16,7 @@ pub struct Frame {
     pub y: Axis,
 }
 
-impl Frame {
+impl PlotFrame {
     /// Width and height in points.
     pub fn size(&self) -> [f32; 2] {
         [self.max[0] - self.min[0], self.max[1] - self.min[1]]

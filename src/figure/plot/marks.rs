@@ -8,7 +8,7 @@ use crate::figure::text::RichText;
 
 /// A dot with a name.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Spot {
+pub struct PlotDot {
     /// Value on the horizontal axis.
     pub x: f64,
     /// Value on the vertical axis.
@@ -23,7 +23,7 @@ pub struct Spot {
 
 impl Plot {
     /// Dots inside a panel, the first ones over the others and named first. Gives back where each one is.
-    pub fn dots(&mut self, panel: usize, spots: &[Spot]) -> Vec<Option<Point>> {
+    pub fn dots(&mut self, panel: usize, spots: &[PlotDot]) -> Vec<Option<Point>> {
         let Some(frame) = self.frames.get(panel).copied() else {
             return vec![None; spots.len()];
         };

@@ -33,7 +33,7 @@ pub enum Steps {
 }
 
 /// A step of a linear axis, how many parts minor marks divide it into, and how many decimals tell its multiples apart.
-struct Step {
+struct TickStep {
     size: f64,
     parts: i32,
     decimals: usize,
@@ -41,11 +41,11 @@ struct Step {
 
 impl Steps {
     /// The smallest step that is not below `least`.
-    fn at_least(self, least: f64) -> Step {
+    fn at_least(self, least: f64) -> TickStep {
         if self == Self::Degrees && least > 10.0 {
             for (size, parts) in [(15.0, 3), (30.0, 3), (45.0, 3), (90.0, 3), (180.0, 2)] {
                 if size >= least * (1.0 - 1e-9) {
-                    return Step {
+                    return TickStep {
                         size,
                         parts,
                         decimals: 0,
@@ -64,7 +64,7 @@ impl Steps {
         } else {
             exponent
         };
-        Step {
+        TickStep {
             size,
             parts,
             decimals: (-exponent).max(0) as usize,

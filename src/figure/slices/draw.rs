@@ -4,7 +4,7 @@ use super::SlicePlot;
 use super::curves::{self, ResidualTrace, SliceTrace};
 use super::spec::{Over, Residual, SliceSpec};
 use crate::figure::cosine::CosineFactor;
-use crate::figure::mark::Mark;
+use crate::figure::mark::ProbeMark;
 use crate::figure::palette::{Ink, Role};
 use crate::figure::plot::{Outline, Panel, Pen, Plot};
 use crate::figure::samples;
@@ -259,7 +259,7 @@ fn probe(
     traces: &[SliceTrace],
     residuals: &[ResidualTrace],
 ) {
-    let Some(Mark { at, exact }) = spec.probe else {
+    let Some(ProbeMark { at, exact }) = spec.probe else {
         return;
     };
     let x = at.to_degrees();

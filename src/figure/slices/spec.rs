@@ -1,7 +1,7 @@
 //! Spec of a slice: the angle that runs, those that are fixed, and how values are shown.
 
 use crate::figure::cosine::CosineFactor;
-use crate::figure::mark::Mark;
+use crate::figure::mark::ProbeMark;
 use crate::figure::scale::RadialScale;
 use crate::figure::subject::{Channel, Subject};
 use crate::geom::{HalfDiff, degrees};
@@ -147,7 +147,7 @@ pub struct SliceSpec {
     pub limits: Option<[f64; 2]>,
     /// The angle under the probe, in radians.
     #[serde(skip)]
-    pub probe: Option<Mark>,
+    pub probe: Option<ProbeMark>,
 }
 
 impl Default for SliceSpec {

@@ -3,7 +3,7 @@
 //! Letters stand at their own widths, without kerning: a part of the font that an SVG carries has none either.
 
 use crate::figure::drawing::{LINE_HEIGHT, Label};
-use crate::figure::text::Level;
+use crate::figure::text::ScriptLevel;
 use skrifa::instance::{LocationRef, Size};
 use skrifa::{FontRef, MetadataProvider as _};
 use std::sync::LazyLock;
@@ -64,7 +64,7 @@ pub struct PlacedRun<'a> {
 
 /// The runs of a label, and the box around all of them (upper left, lower right), before it is turned.
 pub fn placed(label: &Label) -> (Vec<PlacedRun<'_>>, [[f32; 2]; 2]) {
-    let size_of = |level: Level| label.size * level.relative_size();
+    let size_of = |level: ScriptLevel| label.size * level.relative_size();
     let runs = &label.text.runs;
     let widths: Vec<f32> = runs
         .iter()
@@ -87,11 +87,11 @@ pub fn placed(label: &Label) -> (Vec<PlacedRun<'_>>, [[f32; 2]; 2]) {
     (placed, [[left, top], [left + width, top + height]])
 }
 
-fn rise(level: Level) -> f32 {
+fn rise(level: ScriptLevel) -> f32 {
     match level {
-        Level::Base => 0.0,
-        Level::Sub => SUB_EM,
-        Level::Sup => SUP_EM,
+        ScriptLevel::Base => 0.0,
+        ScriptLevel::Sub => SUB_EM,
+        ScriptLevel::Sup => SUP_EM,
     }
 }
 

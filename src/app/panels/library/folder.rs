@@ -5,7 +5,7 @@ use crate::app::msg::Msg;
 use crate::app::msg::library::LibraryMsg;
 use crate::app::panels::library::files;
 use crate::app::state::State;
-use crate::app::state::library::listing::{SORT_KEYS, Sort};
+use crate::app::state::library::listing::{FileSort, SORT_KEYS};
 use crate::app::state::library::{Folder, Scan};
 use crate::files::folder::shown_name;
 use egui::{Key, Modifiers};
@@ -133,11 +133,11 @@ fn search_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     });
 }
 
-fn sort_ui(ui: &mut egui::Ui, sort: Sort, out: &mut Vec<Msg>) {
+fn sort_ui(ui: &mut egui::Ui, sort: FileSort, out: &mut Vec<Msg>) {
     let menu = ui.menu_button("Sort", |ui| {
         for (key, name) in SORT_KEYS {
             if ui.selectable_label(sort.key == key, name).clicked() {
-                out.push(Msg::Library(LibraryMsg::Sort(Sort { key, ..sort })));
+                out.push(Msg::Library(LibraryMsg::Sort(FileSort { key, ..sort })));
             }
         }
         ui.separator();
@@ -146,7 +146,10 @@ fn sort_ui(ui: &mut egui::Ui, sort: Sort, out: &mut Vec<Msg>) {
                 .selectable_label(sort.descending == descending, name)
                 .clicked()
             {
-                out.push(Msg::Library(LibraryMsg::Sort(Sort { descending, ..sort })));
+                out.push(Msg::Library(LibraryMsg::Sort(FileSort {
+                    descending,
+                    ..sort
+                })));
             }
         }
     });

@@ -7,7 +7,7 @@ use crate::fit::{FitProgress, Stage, Variant};
 
 /// A fit under way: of one variant, or of several.
 #[derive(Debug)]
-pub struct Run {
+pub struct FitRun {
     /// Number of its job.
     pub job: u64,
     /// Material that is fitted; another one may be shown.
@@ -44,7 +44,7 @@ impl Part {
     }
 }
 
-impl Run {
+impl FitRun {
     /// Whether it moves the model of its material: one variant does, several fill the table.
     pub fn drives_model(&self) -> bool {
         self.parts.len() == 1 && !self.stopping

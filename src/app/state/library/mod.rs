@@ -23,7 +23,7 @@ pub mod listing;
 
 use crate::app::state::job::{CancelFlag, Hold};
 use crate::app::state::library::folder_run::FolderRun;
-use crate::app::state::library::listing::Sort;
+use crate::app::state::library::listing::FileSort;
 use crate::app::state::material::MaterialId;
 use crate::brdf::Brdf;
 use crate::files;
@@ -40,7 +40,7 @@ pub struct Library {
     /// Words that the names must have.
     pub search: String,
     /// Order of the files.
-    pub sort: Sort,
+    pub sort: FileSort,
     /// The file that was asked for last: arrows go on from here. None while they step through the open materials.
     pub cursor: Option<PathBuf>,
     /// Counts the steps by keys, so that the list scrolls to the cursor once for each.
@@ -99,12 +99,12 @@ pub struct FolderFile {
     /// File name in one line.
     pub name: String,
     /// Kind of the file.
-    pub kind: Kind,
+    pub kind: FileKind,
 }
 
 /// Kind of a file of the folder.
 #[derive(Clone, Debug)]
-pub enum Kind {
+pub enum FileKind {
     /// Not looked at yet.
     Unknown,
     /// A measured material; what is in it, once it has been read.
@@ -146,12 +146,12 @@ pub struct Pending {
     /// Display name.
     pub name: String,
     /// Material that is to be shown.
-    pub target: Target,
+    pub target: PendingTarget,
 }
 
 /// Material that is to be shown.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Target {
+pub enum PendingTarget {
     /// A file of the folder; whether it is more than a preview.
     File {
         /// Path from the root on.

@@ -3,7 +3,7 @@
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::Settings;
 use crate::figure::error_map::Plane;
-use crate::figure::heatmap::View;
+use crate::figure::heatmap::HeatView;
 use crate::figure::scale::RadialScale;
 use serde::{Deserialize, Serialize};
 
@@ -16,7 +16,7 @@ pub struct ErrorMapSettings {
     /// Law from shares to colours.
     pub scale: RadialScale,
     /// The part in sight.
-    pub view: View,
+    pub view: HeatView,
 }
 
 impl Default for ErrorMapSettings {
@@ -24,7 +24,7 @@ impl Default for ErrorMapSettings {
         Self {
             plane: Plane::Directions,
             scale: RadialScale::CubeRoot,
-            view: View::default(),
+            view: HeatView::default(),
         }
     }
 }

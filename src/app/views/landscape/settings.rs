@@ -2,7 +2,7 @@
 
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::Settings;
-use crate::figure::heatmap::View;
+use crate::figure::heatmap::HeatView;
 use serde::{Deserialize, Serialize};
 
 /// Settings of the tile of the error landscape.
@@ -12,7 +12,7 @@ pub struct LandscapeSettings {
     /// Whether η is the best one at each point instead of the slider's.
     pub solve_eta: bool,
     /// The part in sight.
-    pub view: View,
+    pub view: HeatView,
 }
 
 impl Settings for LandscapeSettings {

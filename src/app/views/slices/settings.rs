@@ -4,7 +4,7 @@ use crate::app::state::probe::{Probe, same};
 use crate::app::state::sanitize::{angles, limits, window};
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::Settings;
-use crate::figure::Mark;
+use crate::figure::ProbeMark;
 use crate::figure::slices::{Over, SliceSpec};
 use crate::geom::HalfDiff;
 use serde::{Deserialize, Serialize};
@@ -56,7 +56,7 @@ pub fn through(spec: &SliceSpec, probe: Probe) -> SliceSpec {
 }
 
 /// Mark of the probe in the slices.
-pub fn mark(spec: &SliceSpec, probe: Probe) -> Option<Mark> {
+pub fn mark(spec: &SliceSpec, probe: Probe) -> Option<ProbeMark> {
     if spec.over == Over::ThetaO {
         return Some(probe.mark_in_plane(*spec.theta_i.get(spec.active)?));
     }
@@ -68,15 +68,15 @@ pub fn mark(spec: &SliceSpec, probe: Probe) -> Option<Mark> {
     let apart = turn.min(PI - turn) * angles.theta_h.min(angles.theta_d);
     let phi_d = same(apart, 0.0);
     Some(match spec.over {
-        Over::ThetaO | Over::ThetaH => Mark {
+        Over::ThetaO | Over::ThetaH => ProbeMark {
             at: angles.theta_h,
             exact: theta_d && phi_d,
         },
-        Over::ThetaD => Mark {
+        Over::ThetaD => ProbeMark {
             at: angles.theta_d,
             exact: theta_h && phi_d,
         },
-        Over::PhiD => Mark {
+        Over::PhiD => ProbeMark {
             at: angles.phi_d,
             exact: theta_h && theta_d,
         },
