@@ -68,7 +68,7 @@ pub enum Msg {
     /// Put a parameter back to its default.
     ResetParam(ParamId),
     /// Let the channels of a colour move as one, or apart.
-    SetGrey(ParamId, bool),
+    SetLinkedChannels(ParamId, bool),
     /// A view requests a result, or a job reports on one.
     Cache(Box<dyn CacheMsg>),
     /// Go to a step of a lesson.

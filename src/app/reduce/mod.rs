@@ -74,13 +74,9 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
             });
             return fit::refit(state);
         }
-        Msg::SetGrey(id, grey) => {
-            edit(state, |scene| {
-                if let Some(index) = Scene::grey_index(id) {
-                    scene.grey[index] = grey;
-                }
-            });
-            if grey {
+        Msg::SetLinkedChannels(id, linked) => {
+            edit(state, |scene| scene.linked_channels.set(id, linked));
+            if linked {
                 edit_brdf(state, |brdf| make_grey(&mut brdf.params, id));
             }
         }

@@ -43,7 +43,8 @@ pub struct SessionFile {
     /// Interpolation of the tables.
     pub lookup: Lookup,
     /// Whether the channels of a colour move as one.
-    pub grey: Grey,
+    #[serde(rename = "grey")]
+    pub linked_channels: SavedLinkedChannels,
     /// Settings of the views.
     pub views: SettingsMap,
     /// Settings of the next fit.
@@ -155,8 +156,8 @@ pub enum SavedWhat {
 
 /// Whether the channels of a colour move as one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Grey {
+#[serde(default, rename = "Grey")]
+pub struct SavedLinkedChannels {
     /// Whether those of ρ_d do.
     pub rho_d: bool,
     /// Whether those of k_s do.

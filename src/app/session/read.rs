@@ -139,7 +139,7 @@ impl Reader {
             shown: self.part(given, "", "shown", 0),
             hidden: self.part(given, "", "hidden", Vec::new()),
             lookup: self.part(given, "", "lookup", usual.lookup),
-            grey: self.part(given, "", "grey", Default::default()),
+            linked_channels: self.part(given, "", "grey", Default::default()),
             views: self.views(given),
             fit: self.part(given, "", "fit", Default::default()),
             probe: self.part(given, "", "probe", None),

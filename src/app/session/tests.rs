@@ -159,7 +159,7 @@ fn rich() -> State {
     let scene = &mut state.scene;
     scene.selected = 1;
     scene.opened[2].beside = true;
-    scene.grey = [true, false];
+    scene.linked_channels.rho_d = true;
     let fit = Variant::from(&brdf(2, Fresnel::Exact, 1.0));
     for (material, what) in [(2, What::Measured), (0, What::Fit(fit)), (1, What::Model)] {
         let material = scene.opened[material].id;
@@ -243,6 +243,15 @@ fn same(a: &str, b: &str, what: &str) {
     assert_eq!(a.len(), b.len(), "{what}");
 }
 
+#[test]
+fn linked_channels_are_grey_in_the_file() {
+    let mut state = State::default();
+    state.scene.linked_channels.rho_d = true;
+    let value: serde_json::Value = serde_json::from_str(&text(&state)).expect("JSON");
+    let expected = serde_json::json!({ "rho_d": true, "k_s": false });
+    assert_eq!(value["grey"], expected);
+}
+
 /// Changes that a session keeps, one each.
 const CHANGES: [fn(&mut State); 26] = [
     |s| s.scene.selected = 3,
@@ -250,7 +259,7 @@ const CHANGES: [fn(&mut State); 26] = [
     |s| s.scene.opened[1].brdf.params.k_s[2] += 1e-9,
     |s| s.scene.opened[2].brdf.params.eta = 1.7,
     |s| s.scene.opened[0].beside = true,
-    |s| s.scene.grey[1] = true,
+    |s| s.scene.linked_channels.k_s = true,
     |s| s.scene.hidden.swap(0, 1),
     |s| s.scene.lookup = Lookup::Smooth,
     |s| s.scene.views.get_mut::<SphereSettings>().split = -0.5,

@@ -12,6 +12,7 @@ pub mod layout;
 pub mod layout_check;
 pub mod lesson;
 pub mod library;
+pub mod linked_channels;
 pub mod material;
 pub mod memory;
 pub mod notice;
@@ -38,6 +39,7 @@ use crate::app::state::job::Job;
 use crate::app::state::layout::Tiles;
 use crate::app::state::lesson::LessonAt;
 use crate::app::state::library::Library;
+use crate::app::state::linked_channels::LinkedChannels;
 use crate::app::state::material::{Material, MaterialId, Opened};
 use crate::app::state::notice::{Dialog, Notice};
 use crate::app::state::prefs::Prefs;
@@ -45,7 +47,6 @@ use crate::app::state::probe::Probe;
 use crate::app::state::session::SessionState;
 use crate::app::state::settings_map::SettingsMap;
 use crate::app::state::subject_key::SubjectKey;
-use crate::brdf::ParamId;
 use crate::measured::lookup::Lookup;
 use std::collections::BTreeMap;
 
@@ -58,8 +59,8 @@ pub struct Scene {
     pub opened: Vec<Opened>,
     /// Position of the shown one in `opened`.
     pub selected: usize,
-    /// Whether the three channels of a colour parameter move as one: ρ_d, k_s.
-    pub grey: [bool; 2],
+    /// Whether the three channels of a colour parameter move as one.
+    pub linked_channels: LinkedChannels,
     /// Subjects that the plots do not show, though their names are in the legends.
     pub hidden: Vec<SubjectKey>,
     /// Interpolation of the table in all views.
@@ -74,21 +75,10 @@ impl Default for Scene {
             session: 0,
             opened: Vec::new(),
             selected: 0,
-            grey: [false; 2],
+            linked_channels: LinkedChannels::default(),
             hidden: Vec::new(),
             lookup: Lookup::Smooth,
             views: SettingsMap::default(),
-        }
-    }
-}
-
-impl Scene {
-    /// Position of a colour parameter in `grey`.
-    pub fn grey_index(id: ParamId) -> Option<usize> {
-        match id {
-            ParamId::RhoD => Some(0),
-            ParamId::KS => Some(1),
-            _ => None,
         }
     }
 }
