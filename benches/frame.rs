@@ -14,7 +14,7 @@ use grazing::app::state::layout::Tiles;
 use grazing::app::state::views::VIEWS;
 use grazing::app::views::albedo::work::MeasuredAlbedo;
 use grazing::app::views::landscape::work::LandscapeQuery;
-use grazing::app::{App, Options, Picker};
+use grazing::app::{App, Picker, WindowOptions};
 use grazing::brdf::ParamId;
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader};
@@ -161,7 +161,7 @@ fn app(
     cc: &eframe::CreationContext<'_>,
     kind: &str,
 ) -> Result<App, Box<dyn std::error::Error + Send + Sync>> {
-    let options = Options {
+    let options = WindowOptions {
         files: vec![],
         picker: Picker::system(),
         autosave: None,

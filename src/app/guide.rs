@@ -8,33 +8,33 @@ use std::sync::LazyLock;
 
 /// A page.
 #[derive(Debug)]
-pub struct Page {
+pub struct GuidePage {
     /// Name of its file in `docs/`.
     pub file: &'static str,
     /// Name on screen.
     pub name: &'static str,
-    /// Its Markdown.
+    /// Markdown of the page.
     pub text: &'static str,
 }
 
 /// The pages in the order offered; the first is the guide itself.
-pub const PAGES: [Page; 4] = [
-    Page {
+pub const PAGES: [GuidePage; 4] = [
+    GuidePage {
         file: "guide.md",
         name: "Guide",
         text: include_str!("../../docs/guide.md"),
     },
-    Page {
+    GuidePage {
         file: "figures.md",
         name: "Figures",
         text: include_str!("../../docs/figures.md"),
     },
-    Page {
+    GuidePage {
         file: "formats.md",
         name: "Formats",
         text: include_str!("../../docs/formats.md"),
     },
-    Page {
+    GuidePage {
         file: "theory.md",
         name: "Theory",
         text: include_str!("../../docs/theory.md"),
@@ -72,7 +72,7 @@ pub fn picture(path: &str) -> Option<(&'static str, &'static [u8])> {
 pub static BLOCKS: LazyLock<[Vec<Block>; 4]> =
     LazyLock::new(|| PAGES.map(|page| markdown::parse(page.text)));
 
-/// Where a reader is.
+/// Place of a reader in the guide.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct GuideAt {
     /// Position in [`PAGES`].
@@ -83,19 +83,19 @@ pub struct GuideAt {
     pub jump: u64,
 }
 
-/// Where a link leads.
+/// Destination of a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Target<'a> {
-    /// To a page, and to a heading on it by position.
+pub enum LinkTarget<'a> {
+    /// Page, and a heading on it, each by position.
     Page(usize, Option<usize>),
-    /// To an address in the web.
+    /// Address in the web.
     Web(&'a str),
 }
 
-/// Where a link on a page leads; `None` for one to a file that is not built in.
-pub fn target(page: usize, link: &str) -> Option<Target<'_>> {
+/// Destination of a link on a page; `None` for one to a file that is not built in.
+pub fn target(page: usize, link: &str) -> Option<LinkTarget<'_>> {
     if link.starts_with("https://") || link.starts_with("http://") {
-        return Some(Target::Web(link));
+        return Some(LinkTarget::Web(link));
     }
     let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
     let page = match file {
@@ -106,7 +106,7 @@ pub fn target(page: usize, link: &str) -> Option<Target<'_>> {
         "" => None,
         anchor => Some(headings(&BLOCKS[page]).position(|heading| heading.anchor == anchor)?),
     };
-    Some(Target::Page(page, heading))
+    Some(LinkTarget::Page(page, heading))
 }
 
 /// A heading of a page.
@@ -114,9 +114,9 @@ pub fn target(page: usize, link: &str) -> Option<Target<'_>> {
 pub struct Heading<'a> {
     /// 1 for the page's own.
     pub level: u8,
-    /// What a link to it says after `#`.
+    /// Name that a link to it has after `#`.
     pub anchor: &'a str,
-    /// Its words.
+    /// Words of the heading.
     pub spans: &'a [Span],
 }
 
@@ -183,14 +183,14 @@ mod tests {
 
     #[test]
     fn links_lead_to_pages_headings_and_the_web() {
-        assert_eq!(target(0, "figures.md"), Some(Target::Page(1, None)));
-        let Some(Target::Page(2, Some(merl))) = target(3, "formats.md#merl") else {
+        assert_eq!(target(0, "figures.md"), Some(LinkTarget::Page(1, None)));
+        let Some(LinkTarget::Page(2, Some(merl))) = target(3, "formats.md#merl") else {
             panic!("no heading on MERL")
         };
         assert_eq!(headings(&BLOCKS[2]).nth(merl).map(|h| h.level), Some(2));
-        assert_eq!(target(2, "#merl"), Some(Target::Page(2, Some(merl))));
+        assert_eq!(target(2, "#merl"), Some(LinkTarget::Page(2, Some(merl))));
         let web = "https://example.org/a#b";
-        assert_eq!(target(0, web), Some(Target::Web(web)));
+        assert_eq!(target(0, web), Some(LinkTarget::Web(web)));
         for nowhere in ["figures.md#nothing", "../README.md", "#nothing"] {
             assert_eq!(target(0, nowhere), None);
         }

@@ -28,7 +28,7 @@ use crate::app::panels::{dialogs, fit, lesson, menu, model, notices, status};
 use crate::app::reduce::apply;
 use crate::app::state::State;
 use crate::app::state::layout::Tiles;
-use crate::app::state::notice::Level;
+use crate::app::state::notice::Severity;
 use crate::app::state::prefs::{Prefs, Theme};
 use crate::app::tasks::Tools;
 use egui::{Key, KeyboardShortcut, Modifiers};
@@ -40,23 +40,23 @@ use std::time::Duration;
 pub use jobs::dialogs::Picker;
 pub use startup::run;
 
-/// Where the preferences are kept in the storage.
+/// Key of the preferences in the storage.
 const PREFS_KEY: &str = "grazing.prefs";
 
-/// Where the layout is kept in the storage.
+/// Key of the layout in the storage.
 const LAYOUT_KEY: &str = "grazing.layout";
 
-/// How long the end of the program waits for jobs that were told to stop.
+/// Longest time that the end of the program waits for jobs that were told to stop.
 const PATIENCE: Duration = Duration::from_millis(300);
 
 /// Height of the fit's panel in points, where the window leaves it that.
 const FIT_HEIGHT: f32 = 350.0;
 
-/// How the window starts.
-pub struct Options {
+/// Options at the start of the window.
+pub struct WindowOptions {
     /// Files to open.
     pub files: Vec<PathBuf>,
-    /// How a person is asked for files.
+    /// Ways to ask a person for files.
     pub picker: Picker,
     /// The folder where what is open is kept for a crash; without one, nothing is.
     pub autosave: Option<PathBuf>,
@@ -80,7 +80,7 @@ impl App {
     /// If there is no wgpu renderer.
     pub fn new(
         cc: &eframe::CreationContext<'_>,
-        options: Options,
+        options: WindowOptions,
     ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
         let render_state = cc
             .wgpu_render_state
@@ -123,7 +123,7 @@ impl App {
         self.tools.jobs.plant_panic(doing);
     }
 
-    /// What the window shows, for tests.
+    /// State of the window, for tests.
     pub fn state(&self) -> &State {
         &self.state
     }
@@ -141,7 +141,7 @@ impl App {
                 self.autosave = Some(autosave);
                 Msg::Session(SessionMsg::Crashed(crashed))
             }
-            Err(error) => Msg::Notify(Level::Error, error.to_string()),
+            Err(error) => Msg::Notify(Severity::Error, error.to_string()),
         };
         self.handle(ctx, msg);
     }

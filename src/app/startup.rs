@@ -1,7 +1,7 @@
 //! Opening the window, and plain words where it cannot be opened.
 
 use crate::app::jobs::dialogs::Picker;
-use crate::app::{App, Options};
+use crate::app::{App, WindowOptions};
 use crate::gpu::adapter;
 use eframe::egui_wgpu;
 use std::path::PathBuf;
@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 /// The packages a window needs on Debian and Ubuntu beyond a bare system.
 const APT_LINE: &str = "sudo apt-get install -y libxkbcommon-x11-0 libxcursor1 libxi6 libx11-xcb1 mesa-vulkan-drivers libegl1 libgl1-mesa-dri";
-/// What works all the same.
+/// Hint at the subcommands, which work without a window.
 const WITHOUT_WINDOW: &str = "Without a window these work: grazing info FILE, grazing sample NAME -o FILE, grazing eval SOURCE --directions FILE.csv, grazing fit FILE, grazing figure --preset lobes FILE -o lobes.pdf, grazing render SOURCE -o sphere.png";
 
 /// Opens the window with these files and returns when it is closed.
@@ -29,7 +29,7 @@ pub fn run(files: Vec<PathBuf>) -> Result<(), String> {
         wgpu_options: wgpu_options(),
         ..Default::default()
     };
-    let start = Options {
+    let start = WindowOptions {
         files,
         picker: Picker::system(),
         autosave: eframe::storage_dir("grazing").map(|folder| folder.join("autosave")),

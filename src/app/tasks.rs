@@ -17,7 +17,7 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// What tasks are done with.
+/// Tools that tasks are done with.
 pub struct Tools {
     /// Starts jobs.
     pub jobs: Jobs,

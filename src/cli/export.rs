@@ -27,8 +27,11 @@ pub struct Args {
     /// File to write; without it a text is printed
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// What to write, where the extension of the file does not say it: .binary, .brdf, .wgsl, .glsl
-    #[arg(long, value_parser = format_parser())]
+    #[arg(
+        long,
+        value_parser = format_parser(),
+        help = "What to write, where the extension of the file does not say it: .binary, .brdf, .wgsl, .glsl"
+    )]
     format: Option<ModelFormat>,
     /// Which model of an array or fit file, counted from 0; `grazing info` lists them
     #[arg(long, default_value_t = 0, value_name = "K")]

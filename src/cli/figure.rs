@@ -4,9 +4,10 @@ mod materials;
 
 use super::CliError;
 use crate::brdf::{Fresnel, MODELS, PHONG, fresnel::FRESNELS};
-use crate::export::preset::{Options, PRESETS, Preset};
+use crate::export::preset::{PRESETS, Preset, PresetOptions};
 use crate::export::{
-    ExportError, FORMATS, FigureSpec, Format, Opened, open_from_files, prepare, write_figure,
+    ExportError, FORMATS, FigureFormat, FigureSpec, OpenedTables, open_from_files, prepare,
+    write_figure,
 };
 use crate::figure::page::{Inks, SAME_AXES, SameAxes, Style};
 use crate::figure::scale::{RADIAL_SCALES, RadialScale};
@@ -61,7 +62,7 @@ pub struct Args {
     #[arg(long, value_name = "EV", default_value_t = 0.0, requires = "preset", allow_hyphen_values = true, value_parser = super::render::exposure)]
     exposure: f64,
     #[command(flatten)]
-    look: Look,
+    look: LookArgs,
     /// Draw also where a measured file is no longer the one that the figure was drawn from
     #[arg(long)]
     changed: bool,
@@ -70,9 +71,9 @@ pub struct Args {
     force: bool,
 }
 
-/// How the figure looks; what is not given is as the figure or the preset has it.
+/// Look of the figure; what is not given is as the figure or the preset has it.
 #[derive(clap::Args)]
-struct Look {
+struct LookArgs {
     /// Width of the page in millimetres
     #[arg(long, value_name = "MM")]
     width: Option<f64>,
@@ -102,7 +103,7 @@ struct Look {
     same_axes: Option<String>,
 }
 
-impl Look {
+impl LookArgs {
     fn apply(&self, style: &mut Style) {
         let Style {
             width_mm,
@@ -153,7 +154,7 @@ fn theta_i(text: &str) -> Result<f64, String> {
 }
 
 pub fn run(args: &Args) -> Result<(), CliError> {
-    let Some(format) = Format::of_path(&args.output) else {
+    let Some(format) = FigureFormat::of_path(&args.output) else {
         let known = FORMATS.map(|format| format!(".{}", format.extension()));
         return usage(format!(
             "{}: the name does not say which format; expected one of {}",
@@ -170,7 +171,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     }
     // Said now and not after the fits.
     files::check_writable(&args.output, args.force)?;
-    let mut opened = Opened::new();
+    let mut opened = OpenedTables::new();
     let (mut spec, folder) = match &args.preset {
         Some(key) => (preset(args, key, &mut opened)?, PathBuf::new()),
         None => from_file(&args.files)?,
@@ -200,10 +201,10 @@ fn from_file(paths: &[PathBuf]) -> Result<(FigureSpec, PathBuf), CliError> {
     Ok((spec, path.parent().unwrap_or(Path::new("")).to_owned()))
 }
 
-fn preset(args: &Args, key: &str, opened: &mut Opened) -> Result<FigureSpec, CliError> {
+fn preset(args: &Args, key: &str, opened: &mut OpenedTables) -> Result<FigureSpec, CliError> {
     let preset = Preset::by_key(key).unwrap_or(&PRESETS[0]);
     let model = MODELS.into_iter().find(|model| model.key == args.model);
-    let options = Options {
+    let options = PresetOptions {
         model: model.unwrap_or(&PHONG),
         fresnel: Fresnel::by_key(&args.fresnel).unwrap_or(Fresnel::Exact),
         theta_i: args.theta_i.clone(),

@@ -165,7 +165,7 @@ impl Args {
         }
     }
 
-    /// What is wrong with the options taken together.
+    /// Checks the options taken together.
     fn check(&self, variants: &[Variant]) -> Result<(), CliError> {
         let usage = |text: String| Err(CliError::Usage("fit", text));
         let FitOptions { start, held, .. } = self.options();

@@ -29,11 +29,11 @@ struct Cli {
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
     #[command(subcommand)]
-    command: Option<Command>,
+    command: Option<CliCommand>,
 }
 
 #[derive(Subcommand)]
-enum Command {
+enum CliCommand {
     Info(info::Args),
     Sample(sample::Args),
     Eval(eval::Args),
@@ -70,13 +70,13 @@ pub fn main() -> ExitCode {
             drop(out);
             return finish(crate::app::run(cli.files).map_err(CliError::Other));
         }
-        Some(Command::Info(args)) => info::run(args, &mut out),
-        Some(Command::Sample(args)) => sample::run(args, &mut out),
-        Some(Command::Eval(args)) => eval::run(args, &mut out),
-        Some(Command::Fit(args)) => fit::run(args, &mut out),
-        Some(Command::Figure(args)) => figure::run(args),
-        Some(Command::Render(args)) => render::run(args),
-        Some(Command::Export(args)) => export::run(args, &mut out),
+        Some(CliCommand::Info(args)) => info::run(args, &mut out),
+        Some(CliCommand::Sample(args)) => sample::run(args, &mut out),
+        Some(CliCommand::Eval(args)) => eval::run(args, &mut out),
+        Some(CliCommand::Fit(args)) => fit::run(args, &mut out),
+        Some(CliCommand::Figure(args)) => figure::run(args),
+        Some(CliCommand::Render(args)) => render::run(args),
+        Some(CliCommand::Export(args)) => export::run(args, &mut out),
     };
     finish(result.and_then(|()| Ok(out.flush()?)))
 }

@@ -63,8 +63,12 @@ pub struct Args {
     /// How a value is taken from a measured table
     #[arg(long, default_value = Lookup::default().key(), value_parser = eval::lookup_parser())]
     lookup: Lookup,
-    /// What is behind the sphere
-    #[arg(long, value_enum, default_value_t = Background::Transparent)]
+    #[arg(
+        long,
+        value_enum,
+        default_value_t = Background::Transparent,
+        help = "What is behind the sphere"
+    )]
     background: Background,
     /// Replace the output file if it exists
     #[arg(long)]
@@ -90,7 +94,7 @@ impl Background {
 
 /// The kinds of file, by extension.
 #[derive(Clone, Copy)]
-enum Format {
+enum PictureFormat {
     Png,
     Exr,
 }
@@ -113,23 +117,23 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     Ok(write_atomically(&args.output, args.force, write)?)
 }
 
-fn format_of(path: &Path) -> Result<Format, FileError> {
+fn format_of(path: &Path) -> Result<PictureFormat, FileError> {
     let extension = path.extension().unwrap_or_default();
     if extension.eq_ignore_ascii_case("png") {
-        Ok(Format::Png)
+        Ok(PictureFormat::Png)
     } else if extension.eq_ignore_ascii_case("exr") {
-        Ok(Format::Exr)
+        Ok(PictureFormat::Exr)
     } else {
         let what = "the extension does not say what to write; expected .png or .exr";
         Err(FileError::new(path, what))
     }
 }
 
-fn encode(picture: &LinearImage, format: Format) -> image::ImageResult<Vec<u8>> {
+fn encode(picture: &LinearImage, format: PictureFormat) -> image::ImageResult<Vec<u8>> {
     let mut file = Cursor::new(Vec::new());
     match format {
-        Format::Png => picture.write_png(&mut file)?,
-        Format::Exr => picture.write_exr(&mut file)?,
+        PictureFormat::Png => picture.write_png(&mut file)?,
+        PictureFormat::Exr => picture.write_exr(&mut file)?,
     }
     Ok(file.into_inner())
 }

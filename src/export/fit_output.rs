@@ -1,4 +1,4 @@
-//! What panels show and only a fit can tell: landscapes and error maps.
+//! Fit output of panels: landscapes and error maps.
 
 use super::error::ExportError;
 use crate::brdf::Fresnel;
@@ -14,7 +14,7 @@ use crate::measured::Table;
 use crate::measured::grid::THETA_H_BINS;
 use std::ops::ControlFlow;
 
-/// What a panel of these subjects shows and cannot compute itself.
+/// Fit output that a panel of these subjects shows and cannot compute itself.
 ///
 /// # Errors
 /// One sentence where the panel lacks data or a model, or a key is unknown.

@@ -4,7 +4,7 @@
 //! but the window and the graphics adapter.
 //!
 //! ```text
-//! FigureSpec ── prepare ──▶ Prepared ── draw ──▶ Page ── Format::bytes ──▶ write
+//! FigureSpec ── prepare ──▶ Prepared ── draw ──▶ Page ── FigureFormat::bytes ──▶ write
 //! ```
 
 mod error;
@@ -15,9 +15,9 @@ mod spec;
 mod write;
 
 pub use error::ExportError;
-pub use prepare::{Opened, Prepared, open_from_files, prepare};
+pub use prepare::{OpenedTables, Prepared, open_from_files, prepare};
 pub use spec::{FigureSpec, SubjectLook, SubjectSource, SubjectSpec, spec_beside};
-pub use write::{FORMATS, Format, write_figure};
+pub use write::{FORMATS, FigureFormat, write_figure};
 
 #[cfg(test)]
 mod tests;

@@ -1,4 +1,4 @@
-//! What a figure needs before it can be drawn: data in memory, surveys of a fit.
+//! Preparation of a figure before it can be drawn: data in memory, surveys of a fit.
 
 use super::error::ExportError;
 use super::fit_output;
@@ -14,17 +14,17 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// What drawing needs besides the figure itself.
+/// Data that drawing needs besides the figure itself.
 #[derive(Clone, Debug)]
 pub struct Prepared {
-    /// In the order of the figure.
+    /// Subjects in the order of the figure.
     pub subjects: Vec<Subject>,
     /// An entry per panel, row by row.
     pub made: Vec<Option<FitOutput>>,
 }
 
 /// Data in memory by the place of their file.
-pub type Opened = BTreeMap<PathBuf, Arc<Table>>;
+pub type OpenedTables = BTreeMap<PathBuf, Arc<Table>>;
 
 /// Opens the data of a figure and makes what its panels show. `table` gives the data of a measured file or of a
 /// sample; each is asked for once per subject. `follow` breaks where nobody waits any more.
@@ -88,7 +88,7 @@ pub fn open_from_files(
     source: &SubjectSource,
     folder: &Path,
     changed_is_fine: bool,
-    known: &mut Opened,
+    known: &mut OpenedTables,
 ) -> Result<Arc<Table>, ExportError> {
     match source {
         SubjectSource::Measured { file, .. } => {

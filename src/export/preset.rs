@@ -23,7 +23,7 @@ use builder::Builder;
 /// A figure by name.
 #[derive(Debug)]
 pub struct Preset {
-    /// Its name on the command line.
+    /// Name on the command line.
     pub key: &'static str,
     /// One sentence.
     pub help: &'static str,
@@ -33,12 +33,12 @@ pub struct Preset {
     by_material: bool,
     /// Width of the page in millimetres.
     pub width_mm: f64,
-    /// Which panels have the same axis.
+    /// Group of panels that have the same axis.
     pub same_axes: SameAxes,
     rows: fn(&Builder) -> Vec<RowSpec>,
 }
 
-/// All of them in the order offered.
+/// Presets in the order offered.
 pub static PRESETS: [Preset; 11] = [
     Preset {
         key: "poster",
@@ -200,31 +200,31 @@ pub static PRESETS: [Preset; 11] = [
     },
 ];
 
-/// What a preset is made for.
+/// Options that a preset is built with.
 #[derive(Clone, Debug)]
-pub struct Options {
+pub struct PresetOptions {
     /// The model of presets that show one.
     pub model: &'static Model,
     /// The Fresnel factor of all models.
     pub fresnel: Fresnel,
     /// Angles of incidence in radians.
     pub theta_i: Vec<f64>,
-    /// How values become lengths; as the preset likes it without.
+    /// Law from values to lengths; the preset's own where it is `None`.
     pub scale: Option<RadialScale>,
     /// Lights and exposure of spheres.
     pub view: SphereView,
-    /// How it looks; its width is the preset's where `width_mm` is not given.
+    /// Look on paper; its width is the preset's where `width_mm` is not given.
     pub style: Style,
 }
 
 /// A material with its models in the order of [`Preset::variants`].
 #[derive(Clone, Debug)]
 pub struct PresetMaterial {
-    /// Its name.
+    /// Display name.
     pub name: String,
-    /// Its data.
+    /// Source of the data.
     pub source: SubjectSource,
-    /// Its models.
+    /// Models over the data.
     pub models: Vec<Brdf>,
 }
 
@@ -235,7 +235,7 @@ impl Preset {
     }
 
     /// The models that each material needs, in this order.
-    pub fn variants(&self, options: &Options) -> Vec<Variant> {
+    pub fn variants(&self, options: &PresetOptions) -> Vec<Variant> {
         let fresnel = options.fresnel;
         let of = |model: &'static Model| Variant { model, fresnel };
         match (self.all_models, self.key) {
@@ -246,7 +246,7 @@ impl Preset {
     }
 
     /// The figure of some materials.
-    pub fn figure(&self, materials: &[PresetMaterial], options: &Options) -> FigureSpec {
+    pub fn figure(&self, materials: &[PresetMaterial], options: &PresetOptions) -> FigureSpec {
         let builder = Builder {
             materials,
             options,

@@ -13,17 +13,17 @@ use std::path::{Path, PathBuf};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FigureSpec {
-    /// What made it.
+    /// Program that made it.
     #[serde(default = "program")]
     pub program: String,
-    /// Its version.
+    /// Version of that program.
     #[serde(default = "version")]
     pub version: String,
     /// The measurements and models, which panels name by position.
     pub subjects: Vec<SubjectSpec>,
     /// The panels.
     pub rows: Vec<RowSpec>,
-    /// How it looks.
+    /// Look on paper.
     #[serde(default)]
     pub style: Style,
 }
@@ -40,19 +40,19 @@ fn version() -> String {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SubjectSpec {
-    /// Its name in legends and titles.
+    /// Name in legends and titles.
     pub label: String,
-    /// How its curves look; as its source says without.
+    /// Look of its curves; that of its source where it is `None`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub look: Option<SubjectLook>,
     /// The number of its colour.
     #[serde(default)]
     pub series: usize,
-    /// Its values.
+    /// Source of the values.
     pub source: SubjectSource,
 }
 
-/// How curves look.
+/// Look of curves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SubjectLook {
@@ -67,7 +67,7 @@ pub enum SubjectLook {
 }
 
 impl SubjectLook {
-    /// As plots have it.
+    /// Look in the terms of plots.
     pub fn look(self) -> Look {
         match self {
             Self::Measured => Look::Measured,
@@ -89,22 +89,22 @@ impl From<Look> for SubjectLook {
     }
 }
 
-/// Where values come from.
+/// Source of values.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SubjectSource {
     /// A MERL file.
     Measured {
-        /// Which one: its path, length and SHA-256.
+        /// File by its path, length and SHA-256.
         file: SourceFile,
-        /// How values are taken from it.
+        /// Lookup by which values are taken from its table.
         lookup: Lookup,
     },
     /// A synthetic sample.
     Sample {
-        /// Its key.
+        /// Key of the synthetic material.
         key: String,
-        /// How values are taken from it.
+        /// Lookup by which values are taken from its table.
         lookup: Lookup,
     },
     /// A model with its numbers.
@@ -158,7 +158,7 @@ impl FigureSpec {
         Self::from_json(&self.to_json()).unwrap_or_else(|_| self.clone())
     }
 
-    /// Its page.
+    /// Spec of its page.
     pub fn page(&self) -> PageSpec {
         PageSpec {
             rows: self.rows.clone(),
@@ -167,7 +167,7 @@ impl FigureSpec {
     }
 }
 
-/// Where the spec of a figure is kept: beside it, under its name.
+/// Path of the spec that is kept beside a figure, under its name.
 pub fn spec_beside(figure: &Path) -> PathBuf {
     figure.with_extension("figure.json")
 }

@@ -1,6 +1,7 @@
-use super::preset::{Options, PRESETS, Preset, PresetMaterial};
+use super::preset::{PRESETS, Preset, PresetMaterial, PresetOptions};
 use super::{
-    FigureSpec, Format, Opened, Prepared, SubjectSource, open_from_files, prepare, spec_beside,
+    FigureFormat, FigureSpec, OpenedTables, Prepared, SubjectSource, open_from_files, prepare,
+    spec_beside,
 };
 use crate::brdf::{Brdf, COMBINED, Fresnel, Params};
 use crate::figure::ViewSpec;
@@ -12,8 +13,8 @@ use crate::measured::Lookup;
 use std::ops::ControlFlow;
 use std::path::Path;
 
-fn options() -> Options {
-    Options {
+fn options() -> PresetOptions {
+    PresetOptions {
         model: &COMBINED,
         fresnel: Fresnel::Exact,
         theta_i: vec![0.5, 1.0],
@@ -45,7 +46,7 @@ fn materials(preset: &Preset, names: &[&str]) -> Vec<PresetMaterial> {
 }
 
 fn prepared(spec: &FigureSpec) -> Prepared {
-    let mut opened = Opened::new();
+    let mut opened = OpenedTables::new();
     let mut table = |source: &_| open_from_files(source, Path::new(""), false, &mut opened);
     prepare(spec, &mut table, &mut || ControlFlow::Continue(())).expect("is prepared")
 }
@@ -106,7 +107,7 @@ fn a_sphere_alone_is_an_exr_and_other_figures_are_not() {
     let spec = preset.figure(&materials(preset, &["a"]), &options());
     let prepared_sphere = prepared(&spec);
     let page = spec.draw(&prepared_sphere).expect("a page");
-    let bytes = Format::Exr
+    let bytes = FigureFormat::Exr
         .bytes(&spec, &prepared_sphere, &page)
         .expect("an EXR");
     let picture = image::load_from_memory(&bytes)
@@ -114,18 +115,22 @@ fn a_sphere_alone_is_an_exr_and_other_figures_are_not() {
         .to_rgba32f();
     assert_eq!(picture.dimensions(), (63, 63));
     assert!(picture.pixels().any(|pixel| pixel[0] > 0.01));
-    assert!(Format::Csv.bytes(&spec, &prepared_sphere, &page).is_err());
+    assert!(
+        FigureFormat::Csv
+            .bytes(&spec, &prepared_sphere, &page)
+            .is_err()
+    );
     let two = preset.figure(&materials(preset, &["a", "b"]), &options());
     let prepared_two = prepared(&two);
     let page = two.draw(&prepared_two).expect("a page");
-    let said = Format::Exr.bytes(&two, &prepared_two, &page);
+    let said = FigureFormat::Exr.bytes(&two, &prepared_two, &page);
     assert!(said.expect_err("two").to_string().contains("one sphere"));
 }
 
 #[test]
 fn a_scale_that_is_asked_for_is_that_of_all_lobes() {
     let preset = Preset::by_key("lobes").expect("a preset");
-    let asked = Options {
+    let asked = PresetOptions {
         scale: Some(RadialScale::Log),
         ..options()
     };
@@ -141,9 +146,9 @@ fn a_scale_that_is_asked_for_is_that_of_all_lobes() {
 
 #[test]
 fn a_format_is_that_of_the_name_and_the_spec_is_beside() {
-    let of = |name: &str| Format::of_path(Path::new(name));
-    assert_eq!(of("a/b.SVG"), Some(Format::Svg));
-    assert_eq!(of("b.exr"), Some(Format::Exr));
+    let of = |name: &str| FigureFormat::of_path(Path::new(name));
+    assert_eq!(of("a/b.SVG"), Some(FigureFormat::Svg));
+    assert_eq!(of("b.exr"), Some(FigureFormat::Exr));
     assert_eq!(of("b.gif"), None);
     assert_eq!(of("svg"), None);
     assert_eq!(

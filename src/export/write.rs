@@ -11,14 +11,14 @@ use serde::{Deserialize, Serialize};
 use std::io::Cursor;
 use std::path::Path;
 
-/// What a figure is written as.
+/// File format of a figure.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Format {
+pub enum FigureFormat {
     /// Lines and text that stay such.
     #[default]
     Svg,
-    /// The same, for LaTeX.
+    /// Vector graphics, for LaTeX.
     Pdf,
     /// Pixels.
     Png,
@@ -28,16 +28,16 @@ pub enum Format {
     Exr,
 }
 
-/// All of them in the order offered.
-pub const FORMATS: [Format; 5] = [
-    Format::Svg,
-    Format::Pdf,
-    Format::Png,
-    Format::Csv,
-    Format::Exr,
+/// Formats in the order offered.
+pub const FORMATS: [FigureFormat; 5] = [
+    FigureFormat::Svg,
+    FigureFormat::Pdf,
+    FigureFormat::Png,
+    FigureFormat::Csv,
+    FigureFormat::Exr,
 ];
 
-impl Format {
+impl FigureFormat {
     /// The end of a file's name, and its name on the command line.
     pub fn extension(self) -> &'static str {
         match self {
@@ -115,7 +115,7 @@ fn exr(spec: &FigureSpec, prepared: &Prepared, dpi: f64) -> Result<Vec<u8>, Stri
 /// One line with the path last.
 pub fn write_figure(
     path: &Path,
-    format: Format,
+    format: FigureFormat,
     (spec, prepared): (&FigureSpec, &Prepared),
     force: bool,
     kept: Option<&Path>,

@@ -4,9 +4,9 @@ mod panel;
 
 use super::drawing::{Drawing, Point};
 use super::legend::LegendEntry;
-use super::mark::Mark;
+use super::mark::ProbeMark;
 use super::palette::{Ink, Role};
-use super::plot::{Frame, Outline, Panel, Pen, Plot};
+use super::plot::{Outline, Panel, Pen, Plot, PlotFrame};
 use super::samples::{self, Sample};
 use super::scale::{Axis, RadialScale, Steps, nice_limit};
 use super::subject::{Channel, Look, Source, Subject};
@@ -19,7 +19,7 @@ use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
 use std::ops::ControlFlow;
 
-/// What comes back of light from one angle.
+/// Directional albedo at one angle of incidence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AlbedoPoint {
     /// Angle of incidence in radians.
@@ -78,17 +78,17 @@ pub fn curve(
 /// The albedos of a subject, where they are known.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct AlbedoCurve<'a> {
-    /// By ascending θi.
+    /// Samples of the curve, by ascending θi.
     pub points: &'a [AlbedoPoint],
     /// Whether they are of other parameters than the subject's, and drawn paler.
     pub old: bool,
 }
 
-/// What a plot of albedos shows.
+/// Settings of a plot of albedos.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct AlbedoSpec {
-    /// What of the colours is plotted.
+    /// Colour channel that is plotted.
     pub channel: Channel,
     /// The part of θi that is seen, in radians; all of it without.
     #[serde(with = "degrees")]
@@ -97,7 +97,7 @@ pub struct AlbedoSpec {
     pub limits: Option<[f64; 2]>,
     /// θi under the probe, in radians.
     #[serde(skip)]
-    pub probe: Option<Mark>,
+    pub probe: Option<ProbeMark>,
 }
 
 /// A plot of albedos.
@@ -105,9 +105,9 @@ pub struct AlbedoSpec {
 pub struct AlbedoPlot {
     /// The picture.
     pub drawing: Drawing,
-    /// Where values are in it: x in degrees.
-    pub frame: Frame,
-    /// Where the names of the subjects are.
+    /// Map between values and points of the drawing: x in degrees.
+    pub frame: PlotFrame,
+    /// Places of the subjects' names.
     pub legend: Vec<LegendEntry>,
 }
 
@@ -120,11 +120,11 @@ impl AlbedoPlot {
         curves: &[AlbedoCurve],
         size: [f32; 2],
     ) -> Self {
-        let shown: Vec<Shown> = subjects
+        let shown: Vec<ShownCurve> = subjects
             .iter()
             .zip(curves)
             .filter(|(subject, curve)| !subject.hidden && !curve.points.is_empty())
-            .map(|(subject, curve)| Shown::new(spec.channel, subject, curve))
+            .map(|(subject, curve)| ShownCurve::new(spec.channel, subject, curve))
             .collect();
         let [low, high] = spec
             .window
@@ -194,7 +194,7 @@ impl AlbedoPlot {
 }
 
 /// A subject with its numbers: x in degrees.
-struct Shown<'a> {
+struct ShownCurve<'a> {
     subject: &'a Subject,
     old: bool,
     values: Vec<Sample>,
@@ -202,7 +202,7 @@ struct Shown<'a> {
     share: Vec<Sample>,
 }
 
-impl<'a> Shown<'a> {
+impl<'a> ShownCurve<'a> {
     fn new(channel: Channel, subject: &'a Subject, curve: &AlbedoCurve) -> Self {
         let sample = |point: &AlbedoPoint, value: Option<f64>| Sample {
             x: point.theta_i.to_degrees(),
@@ -270,7 +270,7 @@ impl<'a> Shown<'a> {
     }
 }
 
-fn axis(spec: &AlbedoSpec, shown: &[Shown]) -> Axis {
+fn axis(spec: &AlbedoSpec, shown: &[ShownCurve]) -> Axis {
     if let Some([low, high]) = spec.limits {
         return Axis::between(RadialScale::Linear, low, high);
     }
@@ -283,8 +283,8 @@ fn axis(spec: &AlbedoSpec, shown: &[Shown]) -> Axis {
     Axis::between(RadialScale::Linear, 0.0, limit)
 }
 
-fn draw_curves(plot: &mut Plot, shown: &[Shown]) {
-    let mut order: Vec<&Shown> = shown.iter().collect();
+fn draw_curves(plot: &mut Plot, shown: &[ShownCurve]) {
+    let mut order: Vec<&ShownCurve> = shown.iter().collect();
     order.sort_by_key(|shown| shown.subject.look);
     let excess: Vec<_> = order.iter().map(|shown| shown.above_one()).collect();
     for (shown, excess) in order.iter().zip(&excess) {
@@ -343,8 +343,8 @@ fn draw_curves(plot: &mut Plot, shown: &[Shown]) {
     }
 }
 
-fn draw_probe(plot: &mut Plot, spec: &AlbedoSpec, shown: &[Shown]) {
-    let Some(Mark { at, exact }) = spec.probe else {
+fn draw_probe(plot: &mut Plot, spec: &AlbedoSpec, shown: &[ShownCurve]) {
+    let Some(ProbeMark { at, exact }) = spec.probe else {
         return;
     };
     let x = at.to_degrees();

@@ -8,11 +8,11 @@ use crate::geom::color::{srgb_bytes, srgb_decode};
 /// A way from [0, 1] to colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ColorMap {
-    /// For amounts: viridis by van der Walt, Smith and Firing (CC0), dark violet over green to yellow.
+    /// Viridis by van der Walt, Smith and Firing (CC0), for amounts: dark violet over green to yellow.
     Sequential,
-    /// The same from yellow to dark violet, for what is good where it is small.
+    /// Viridis from yellow to dark violet, for amounts that are good where they are small.
     Reversed,
-    /// For differences and ratios: blue over light grey to orange brown. Lightness and chroma change evenly and alike
+    /// Blue over light grey to orange brown, for differences and ratios. Lightness and chroma change evenly and alike
     /// on both sides of the middle, on two straight lines in CIELAB.
     Diverging,
 }
@@ -48,7 +48,7 @@ impl ColorMap {
 
 /// XYZ of D65, as the sRGB standard has it.
 const WHITE: [f64; 3] = [0.950_456, 1.0, 1.089_058];
-/// Where the cube root of CIELAB turns into a straight line.
+/// Cube root of X/Xn, Y/Yn or Z/Zn below which CIELAB is a straight line.
 const KNEE: f64 = 6.0 / 29.0;
 
 /// CIELAB (D65) of an sRGB colour: L* in [0, 100], a*, b*.

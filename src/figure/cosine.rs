@@ -6,7 +6,7 @@ use std::fmt;
 
 /// The cosines that f_r is multiplied by: cos θi gives the radiance under a light of unit strength, cos θo the
 /// cosine-corrected BRDF of optics.
-///
+/// JSON: `false` for none and `true` for cos θi, as ever, and else `"theta-o"` or `"both"`.
 /// In files it is `false` for none and `true` for cos θi, as ever, and else `"theta-o"` or `"both"`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct CosineFactor {
@@ -45,7 +45,7 @@ impl CosineFactor {
         i * o
     }
 
-    /// What follows `f_{r}` in a title, in the markup of [`super::text`].
+    /// Suffix of `f_{r}` in a title, in the markup of [`super::text`].
     pub fn markup(self) -> &'static str {
         match self {
             Self::NONE => "",

@@ -24,27 +24,27 @@ pub struct Drawing {
 pub enum Item {
     /// An open polyline.
     Line {
-        /// At least two.
+        /// Corners of the line; at least two.
         points: Vec<Point>,
-        /// In points.
+        /// Width in points.
         width: f32,
         /// Lengths of dash and gap in points; solid without.
         dash: Option<[f32; 2]>,
-        /// Its colour.
+        /// Colour of the line.
         ink: Ink,
     },
     /// A filled convex polygon.
     Fill {
-        /// Its corners, in either sense.
+        /// Corners of the polygon, in either sense.
         points: Vec<Point>,
-        /// Its colour.
+        /// Fill colour.
         ink: Ink,
     },
     /// A filled circle.
     Dot {
-        /// Its middle.
+        /// Middle of the disc.
         center: Point,
-        /// In points, up to the middle of the outline.
+        /// Radius in points, up to the middle of the outline.
         radius: f32,
         /// Colour of the inside.
         ink: Ink,
@@ -84,9 +84,9 @@ impl Picture {
 /// One line of text and where it stands.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
-    /// What it says.
+    /// Words of the label.
     pub text: RichText,
-    /// Where its anchor is.
+    /// Position of the anchor in points.
     pub pos: Point,
     /// The part of the text that is at `pos`, and that it turns about.
     pub anchor: Anchor,
@@ -94,18 +94,18 @@ pub struct Label {
     pub angle: f32,
     /// Font size in points.
     pub size: f32,
-    /// Its colour.
+    /// Colour of the letters.
     pub ink: Ink,
     /// Whether lines behind it are covered with a patch of the background.
     pub halo: bool,
 }
 
-/// Which part of a text is at its position: `x` and `y` are 0 at its left and top, 0.5 in its middle, 1 at the end.
+/// Part of a text that is at its position: `x` and `y` are 0 at its left and top, 0.5 in its middle, 1 at the end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Anchor {
-    /// From left (0) to right (1).
+    /// Share of the width, from left (0) to right (1).
     pub x: f32,
-    /// From top (0) to bottom (1).
+    /// Share of the height, from top (0) to bottom (1).
     pub y: f32,
 }
 
@@ -225,7 +225,7 @@ impl Drawing {
         );
     }
 
-    /// Every text in it, in order.
+    /// Labels of the drawing, in order.
     pub fn labels(&self) -> impl Iterator<Item = &Label> {
         self.items.iter().filter_map(|item| match item {
             Item::Text(label) => Some(label),

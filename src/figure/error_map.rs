@@ -1,10 +1,10 @@
-//! Where the error of a model comes from, as colours: shares of E over the directions, or over θh and θd.
+//! Error map, as colours: shares of E over the directions, or over θh and θd.
 
 mod panel;
 
 pub use panel::ErrorMapSpec;
 
-use super::heatmap::{Cell, ColorScale, Field, HeatSpec, Law, Side, Spot, View};
+use super::heatmap::{Cell, ColorScale, HeatField, HeatSpec, HeatSpot, HeatView, Law, Side};
 use super::scale::{Axis, RadialScale, nice_limit, number};
 use crate::geom::Rgb;
 use serde::{Deserialize, Serialize};
@@ -20,27 +20,27 @@ pub enum Plane {
     HalfDiff,
 }
 
-/// What an error map shows of its shares.
+/// Settings of an error map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ErrorSpec {
-    /// Which axes.
+    /// Axes of the map.
     pub plane: Plane,
-    /// How shares become colours.
+    /// Law from shares to colours.
     pub scale: RadialScale,
     /// The part in sight.
-    pub view: View,
+    pub view: HeatView,
     /// E over all.
     pub total: f64,
     /// E per channel.
     pub channels: Rgb,
     /// The marks of the probe.
-    pub spots: Vec<Spot>,
+    pub spots: Vec<HeatSpot>,
 }
 
 impl ErrorSpec {
     /// The shares of E as percent in cells. `parts` of E are in rows from the smallest angle upwards, `columns` in
     /// each; `None` where no cell counts. They are even in degrees, or the bins of the grid.
-    pub fn field(&self, parts: &[Option<f64>], columns: usize) -> Field {
+    pub fn field(&self, parts: &[Option<f64>], columns: usize) -> HeatField {
         let rows = parts.len().checked_div(columns).unwrap_or(0);
         let even = |count: usize| -> Vec<f64> {
             (0..=count)
@@ -57,7 +57,7 @@ impl ErrorSpec {
             Plane::HalfDiff => root(columns),
         };
         let percent = 100.0 / self.total.max(f64::MIN_POSITIVE);
-        Field::new(x, even(rows), |column, row| {
+        HeatField::new(x, even(rows), |column, row| {
             match parts.get(column + columns * row) {
                 Some(Some(part)) => Cell::Value(percent * part),
                 _ => Cell::Outside,
@@ -65,8 +65,8 @@ impl ErrorSpec {
         })
     }
 
-    /// How they are shown.
-    pub fn heat_spec(&self, name: &str, field: &Field) -> HeatSpec {
+    /// Spec of the heat map that shows `field`.
+    pub fn heat_spec(&self, name: &str, field: &HeatField) -> HeatSpec {
         let percent = |error: f64| format!("{:.2} %", 100.0 * error);
         let channel = |k: usize| {
             if self.channels[k].is_finite() {
@@ -112,7 +112,7 @@ impl ErrorSpec {
     }
 }
 
-fn bin_size(field: &Field) -> String {
+fn bin_size(field: &HeatField) -> String {
     let degrees = number(90.0 / field.columns().max(1) as f64);
     format!("{degrees}° × {degrees}°")
 }
@@ -125,7 +125,7 @@ mod tests {
         ErrorSpec {
             plane,
             scale: RadialScale::Log,
-            view: View::default(),
+            view: HeatView::default(),
             total: 0.25,
             channels: [0.2, 0.3, f64::NAN],
             spots: Vec::new(),

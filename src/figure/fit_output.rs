@@ -6,14 +6,14 @@ use crate::geom::Rgb;
 /// Results of fitting that a panel shows and that drawing does not compute.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FitOutput {
-    /// Of a landscape.
+    /// Terrain of a landscape panel.
     Landscape {
         /// E in percent.
         terrain: Terrain,
         /// The best (s, α) and its E in percent.
         best: Option<([f64; 2], f64)>,
     },
-    /// Of an error map.
+    /// Shares of an error map.
     ErrorMap {
         /// Parts of E in rows from the smallest angle upwards; `None` where no cell counts.
         parts: Vec<Option<f64>>,

@@ -15,23 +15,23 @@ mod side;
 
 pub use bar::{ColorBar, draw_key, key_width_em};
 pub use colors::ColorScale;
-pub use frame::{HeatFrame, View};
+pub use frame::{HeatFrame, HeatView};
 pub use hatch::hatch;
 pub use layout::fitting_title;
 pub use raster::image;
 pub use side::{Law, Side};
 
 use super::drawing::Drawing;
-use super::mark::Mark;
+use super::mark::ProbeMark;
 
-/// What a cell has.
+/// Content of a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cell {
     /// A value, shown as a colour.
     Value(f64),
-    /// It should have one and has none: hatched.
+    /// No value where one should be: hatched.
     Missing,
-    /// There is nothing to have: left blank.
+    /// No value, as none belongs there: left blank.
     Outside,
 }
 
@@ -47,7 +47,7 @@ impl Cell {
 
 /// Cells between edges, in the units of the axes.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Field {
+pub struct HeatField {
     /// Edges of the columns, ascending; one more than there are columns.
     pub x: Vec<f64>,
     /// Edges of the rows, ascending; one more than there are rows.
@@ -56,7 +56,7 @@ pub struct Field {
     pub cells: Vec<Cell>,
 }
 
-impl Field {
+impl HeatField {
     /// A field with a cell for every pair of column and row.
     pub fn new(x: Vec<f64>, y: Vec<f64>, cell: impl Fn(usize, usize) -> Cell) -> Self {
         let (columns, rows) = (x.len().saturating_sub(1), y.len().saturating_sub(1));
@@ -104,56 +104,56 @@ fn position(edges: &[f64], at: f64) -> Option<usize> {
 /// A line over the cells.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// In the units of the axes.
+    /// Corners of the line, in the units of the axes.
     pub points: Vec<[f64; 2]>,
-    /// What it is for.
+    /// Purpose of the line, which decides its look.
     pub kind: CurveKind,
     /// Written on it where there is room, in the markup of [`super::text`].
     pub label: Option<String>,
 }
 
-/// What a line over the cells is for.
+/// Purpose of a line over the cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CurveKind {
     /// An edge of what is possible or wanted: dashed.
     Limit,
     /// A line of equal value: thin.
     Contour,
-    /// Where something went: strong.
+    /// Path of a search: strong.
     Path,
 }
 
 /// A place that is marked.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Spot {
+pub enum HeatSpot {
     /// The probe: a crosshair with a dot.
-    Probe(Mark<[f64; 2]>),
+    Probe(ProbeMark<[f64; 2]>),
     /// The probe again, where the axes may be swapped: a dot.
-    Mirrored(Mark<[f64; 2]>),
-    /// Where the sliders stand: a dot.
+    Mirrored(ProbeMark<[f64; 2]>),
+    /// Place of the sliders: a dot.
     Here([f64; 2]),
     /// The best: a diamond.
     Best([f64; 2]),
-    /// Where a path begins: a ring.
+    /// Beginning of a path: a ring.
     Start([f64; 2]),
 }
 
-/// What a heat map shows besides its cells.
+/// Settings of a heat map besides its cells.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeatSpec {
-    /// What it is, in the markup of [`super::text`]; the first one that fits, so the longest first.
+    /// Titles in the markup of [`super::text`]; the first one that fits is drawn, so the longest first.
     pub title: Vec<String>,
-    /// To the right.
+    /// Horizontal axis, to the right.
     pub x: Side,
     /// Upwards.
     pub y: Side,
     /// The part of both that is in sight.
-    pub view: View,
-    /// From values to colours.
+    pub view: HeatView,
+    /// Law from values to colours.
     pub colors: ColorScale,
-    /// What the colours mean and in which unit, in the markup of [`super::text`].
+    /// Quantity and unit of the colours, in the markup of [`super::text`].
     pub bar_title: String,
-    /// What a hatched cell is called.
+    /// Name of a hatched cell.
     pub missing: &'static str,
     /// Whether colours run into one another between the cells.
     pub smooth: bool,
@@ -162,7 +162,7 @@ pub struct HeatSpec {
     /// Lines over the cells.
     pub curves: Vec<Curve>,
     /// Marks over the lines.
-    pub spots: Vec<Spot>,
+    pub spots: Vec<HeatSpot>,
     /// One sentence in place of cells where there are none.
     pub nothing: &'static str,
 }
@@ -172,14 +172,14 @@ pub struct HeatSpec {
 pub struct HeatMap {
     /// The picture.
     pub drawing: Drawing,
-    /// Where values are in it.
+    /// Map between values and points of the drawing.
     pub frame: HeatFrame,
 }
 
 impl HeatMap {
     /// Draws a field into `size` points.
-    pub fn new(spec: &HeatSpec, field: &Field, size: [f32; 2]) -> Self {
-        let plan = layout::Plan::new(spec, field, size);
+    pub fn new(spec: &HeatSpec, field: &HeatField, size: [f32; 2]) -> Self {
+        let plan = layout::HeatLayout::new(spec, field, size);
         let drawing = draw::draw(spec, field, &plan, size);
         Self {
             drawing,

@@ -1,13 +1,15 @@
 //! The image slice: f_r over θh and θd at one φd, cell by cell of the MERL grid [Burley12].
 //!
-//! What is measured is shown as it stands in the table, so a cell has one value: at the middle of its θh and θd and at
+//! Measured values are shown as they stand in the table, so a cell has one value: at the middle of its θh and θd and at
 //! the chosen φd.
 
 mod panel;
 
 use super::cosine::CosineFactor;
-use super::heatmap::{Cell, ColorScale, Curve, CurveKind, Field, HeatSpec, Law, Side, Spot, View};
-use super::mark::Mark;
+use super::heatmap::{
+    Cell, ColorScale, Curve, CurveKind, HeatField, HeatSpec, HeatSpot, HeatView, Law, Side,
+};
+use super::mark::ProbeMark;
 use super::scale::RadialScale;
 use super::shown::{Shown, ValueRange};
 use super::subject::{Channel, Source};
@@ -17,7 +19,7 @@ use crate::measured::Grid;
 use crate::measured::grid::{THETA_D_BINS, THETA_H_BINS};
 use serde::{Deserialize, Serialize};
 
-/// What an image slice shows.
+/// Settings of an image slice.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct ImageSpec {
@@ -28,9 +30,9 @@ pub struct ImageSpec {
     pub phi_d: f64,
     /// Whether θh is spread by its square root, so that all cells are of one size.
     pub root: bool,
-    /// How values become colours; ratios are always by their logarithm.
+    /// Law from values to colours; ratios are always by their logarithm.
     pub scale: RadialScale,
-    /// What of the colours is shown.
+    /// Colour channel that is shown.
     pub channel: Channel,
     /// Cosines that f_r is multiplied by.
     #[serde(rename = "with_cosine")]
@@ -38,10 +40,10 @@ pub struct ImageSpec {
     /// The ends of the colours of data and model, in 1/sr; from the data without.
     pub limits: Option<[f64; 2]>,
     /// The part in sight.
-    pub view: View,
+    pub view: HeatView,
     /// θh and θd of the probe in degrees.
     #[serde(skip)]
-    pub probe: Option<Mark<[f64; 2]>>,
+    pub probe: Option<ProbeMark<[f64; 2]>>,
 }
 
 impl Default for ImageSpec {
@@ -54,7 +56,7 @@ impl Default for ImageSpec {
             channel: Channel::Luminance,
             cosine: CosineFactor::NONE,
             limits: None,
-            view: View::default(),
+            view: HeatView::default(),
             probe: None,
         }
     }
@@ -81,7 +83,7 @@ impl ImageSpec {
         }
     }
 
-    /// What is shown at some angles.
+    /// Cell at some angles: its value, or that it has none.
     pub fn cell(
         &self,
         measured: Option<&Source>,
@@ -102,18 +104,18 @@ impl ImageSpec {
     }
 
     /// All cells. Axes in degrees.
-    pub fn field(&self, measured: Option<&Source>, model: Option<&Source>) -> Field {
+    pub fn field(&self, measured: Option<&Source>, model: Option<&Source>) -> HeatField {
         let root = |k: usize| (k as f64 / THETA_H_BINS as f64).powi(2) * 90.0;
-        Field::new(
+        HeatField::new(
             (0..=THETA_H_BINS).map(root).collect(),
             (0..=THETA_D_BINS).map(|k| k as f64).collect(),
             |theta_h, theta_d| self.cell(measured, model, self.angles(theta_h, theta_d)),
         )
     }
 
-    /// How the field is shown. `reference` has the values that the colours are made for: the data's, so that data and
-    /// model have the same colours.
-    pub fn heat_spec(&self, name: &str, field: &Field, reference: &Field) -> HeatSpec {
+    /// Spec of the heat map that shows `field`. `reference` has the values that the colours are made for: the data's, so
+    /// that data and model have the same colours.
+    pub fn heat_spec(&self, name: &str, field: &HeatField, reference: &HeatField) -> HeatSpec {
         let what = format!("f_{{r}}{}", self.cosine.markup());
         let channel = self.channel.name();
         // A ratio has no unit.
@@ -155,19 +157,19 @@ impl ImageSpec {
                 kind: CurveKind::Limit,
                 label: Some(format!("{UNRELIABLE_THETA_DEG}°")),
             }],
-            spots: self.probe.map(Spot::Probe).into_iter().collect(),
+            spots: self.probe.map(HeatSpot::Probe).into_iter().collect(),
             nothing: "No value at this φd.",
         }
     }
 
-    fn colors(&self, field: &Field, reference: &Field) -> ColorScale {
+    fn colors(&self, field: &HeatField, reference: &HeatField) -> ColorScale {
         let limits = self.limits.filter(|_| self.shown.is_amount());
-        let range = |field: &Field| ValueRange::of(self.shown, field.values());
+        let range = |field: &HeatField| ValueRange::of(self.shown, field.values());
         let [values, reference] = [field, reference].map(range);
         self.shown.colors(self.scale, limits, &values, &reference)
     }
 
-    /// Where the more grazing one of light and view is at an angle, in degrees of (θh, θd):
+    /// Line on which the more grazing one of light and view is at the angle `theta`, in degrees of (θh, θd):
     /// cos θh cos θd − sin θh sin θd |cos φd| = cos.
     fn grazing(&self, theta: f64) -> Vec<[f64; 2]> {
         let across = self.phi_d.cos().abs();

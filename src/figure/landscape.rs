@@ -7,19 +7,19 @@ pub use panel::LandscapePanel;
 pub use terrain::Terrain;
 
 use super::contour::contours;
-use super::heatmap::{ColorScale, Curve, CurveKind, HeatSpec, Law, Side, Spot, View};
+use super::heatmap::{ColorScale, Curve, CurveKind, HeatSpec, HeatSpot, HeatView, Law, Side};
 use super::scale::number;
 
-/// What is shown over a terrain.
+/// Settings of a landscape besides its terrain.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LandscapeSpec {
-    /// What becomes of η, in the markup of [`super::text`].
+    /// Words for η in the title, such as "η = 1.5", in the markup of [`super::text`].
     pub eta: String,
     /// The part in sight.
-    pub view: View,
+    pub view: HeatView,
     /// (s, α) of a fit, from its start to its end.
     pub path: Vec<[f64; 2]>,
-    /// Where the sliders stand.
+    /// (s, α) at which the sliders stand.
     pub here: Option<[f64; 2]>,
     /// The best node and its E in percent; measured on all cells.
     pub best: Option<([f64; 2], f64)>,
@@ -57,7 +57,7 @@ fn rounded(value: f64) -> f64 {
 }
 
 impl LandscapeSpec {
-    /// How a terrain is shown.
+    /// Spec of the heat map that shows a terrain.
     pub fn heat_spec(&self, name: &str, terrain: &Terrain) -> HeatSpec {
         let (low, high) = terrain.ends().unwrap_or((1.0, 10.0));
         let ends = |axis: &[f64], missing: (f64, f64)| match axis {
@@ -76,10 +76,10 @@ impl LandscapeSpec {
                 label: None,
             });
         }
-        let mut spots: Vec<Spot> = Vec::new();
-        spots.extend(self.path.first().map(|at| Spot::Start(*at)));
-        spots.extend(self.best.map(|(at, _)| Spot::Best(at)));
-        spots.extend(self.here.map(Spot::Here));
+        let mut spots: Vec<HeatSpot> = Vec::new();
+        spots.extend(self.path.first().map(|at| HeatSpot::Start(*at)));
+        spots.extend(self.best.map(|(at, _)| HeatSpot::Best(at)));
+        spots.extend(self.here.map(HeatSpot::Here));
         HeatSpec {
             title: vec![
                 format!(
@@ -152,7 +152,7 @@ mod tests {
             percent: vec![1.0],
             ..terrain()
         };
-        assert_eq!(broken.field(), crate::figure::heatmap::Field::default());
+        assert_eq!(broken.field(), crate::figure::heatmap::HeatField::default());
     }
 
     #[test]
@@ -178,7 +178,7 @@ mod tests {
     fn a_flat_or_missing_terrain_is_drawn_too() {
         let spec = LandscapeSpec {
             eta: "η = 1.5".into(),
-            view: View::default(),
+            view: HeatView::default(),
             path: vec![[1.0, 0.5], [1e9, 2.0]],
             here: Some([50.0, 0.5]),
             best: None,

@@ -11,7 +11,7 @@ mod panel;
 mod raster;
 mod space;
 
-pub use camera::{Camera, Projection};
+pub use camera::{Camera, SpaceProjection};
 pub use lobes::{Lobe, Lobes, Shape};
 pub use mesh::{Detail, LobeMesh, layout, sample};
 pub use overlay::Overlay;
@@ -25,7 +25,7 @@ use glam::DVec3;
 /// The direction under a point of the canvas: that of the nearest point of any of the meshes there.
 pub fn pick<'a>(
     meshes: impl Iterator<Item = &'a LobeMesh>,
-    projection: &Projection,
+    projection: &SpaceProjection,
     point: Point,
 ) -> Option<DVec3> {
     let [x, y] = projection.unproject(point);

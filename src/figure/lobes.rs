@@ -24,11 +24,11 @@ use super::subject::Subject;
 pub struct LobePlot {
     /// The picture.
     pub drawing: Drawing,
-    /// Where angles and values are in it.
+    /// Map between angles, values and points of the drawing.
     pub frame: LobeFrame,
-    /// What is drawn as numbers, for hovering and for tables.
+    /// Curves as numbers, for hovering and for tables.
     pub traces: Vec<Trace>,
-    /// Where the names of the subjects are.
+    /// Places of the subjects' names.
     pub legend: Vec<LegendEntry>,
 }
 
@@ -37,7 +37,7 @@ impl LobePlot {
     pub fn new(spec: &LobeSpec, subjects: &[Subject], size: [f32; 2]) -> Self {
         let traces = traces::trace_all(spec, subjects);
         let axis = axis_for(spec, &traces);
-        let plan = layout::Plan::new(spec, subjects, size);
+        let plan = layout::LobeLayout::new(spec, subjects, size);
         let frame = LobeFrame {
             origin: plan.origin,
             radius: plan.radius,

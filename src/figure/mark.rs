@@ -1,12 +1,12 @@
-//! Where the probe is in a plot.
+//! Mark of the probe in a plot.
 
 use super::drawing::{Item, Point};
 use super::palette::Role;
 
 /// A place on an axis (or on two) that the probe is at.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mark<T = f64> {
-    /// Where.
+pub struct ProbeMark<T = f64> {
+    /// Place of the mark, in the terms of the plot.
     pub at: T,
     /// Whether the plot holds the probe itself. If not, this is where it would be by the plotted angle alone: other
     /// angles of the probe are not those of the plot, and it is drawn hollow.

@@ -1,4 +1,4 @@
-//! What is drawn, as data: a spec and its curves become a [`Drawing`], which the painter and the writers walk. Pure.
+//! Figures as data: a spec and its curves become a [`Drawing`], which the painter and the writers walk. Pure.
 //!
 //! A new view is a folder that builds a `Drawing`, and a line of the list at the end; a new format is a file that walks a
 //! `Drawing`.
@@ -42,7 +42,7 @@ pub use cosine::CosineFactor;
 pub use drawing::{Anchor, Drawing, Item, Label, Point};
 pub use legend::LegendEntry;
 pub use lobes::{LobePlot, LobeSpec};
-pub use mark::Mark;
+pub use mark::ProbeMark;
 pub use palette::{Ink, Palette, Role};
 pub use scale::{Axis, RadialScale};
 pub use sphere_image::sphere_image;

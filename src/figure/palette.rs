@@ -1,6 +1,6 @@
 //! Colours as roles, and the palettes that say what they are.
 
-/// What a colour is for.
+/// Role of a colour in a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
     /// Lines and text that matter.
@@ -11,25 +11,25 @@ pub enum Role {
     Faint,
     /// Behind everything.
     Background,
-    /// What can be dragged.
+    /// Things that can be dragged.
     Accent,
     /// One material of several, counted from 0; after the last colour the first comes again.
     Series(usize),
-    /// This sRGB colour in every palette.
+    /// Fixed sRGB colour, the same in every palette.
     Fixed([u8; 3]),
 }
 
 /// A role and how much of it covers what is behind.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ink {
-    /// Its role.
+    /// Role, from which the palette has the colour.
     pub role: Role,
-    /// From 0 to 1.
+    /// Opacity, from 0 to 1.
     pub opacity: f32,
 }
 
 impl Ink {
-    /// The same role, `opacity` times as strong.
+    /// Ink of the same role with its opacity multiplied by `opacity`.
     pub fn faded(self, opacity: f32) -> Self {
         Self {
             opacity: self.opacity * opacity,
@@ -47,7 +47,7 @@ impl From<Role> for Ink {
 /// The number of colours that tell materials apart.
 pub const SERIES_COLORS: usize = 7;
 
-/// How many of the series colours differ clearly from all others; those after them repeat a hue or have none.
+/// Number of series colours that differ clearly from all others; those after them repeat a hue or have none.
 const CLEAR_HUES: usize = 5;
 
 /// The series colour of the `k`-th thing that is drawn beside series `series` and is not to be taken for it.
@@ -68,22 +68,22 @@ pub fn companion(series: usize, k: usize) -> usize {
 /// on light ground and lighter on dark ground; a material keeps its hue when the theme changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Palette {
-    /// Of [`Role::Foreground`].
+    /// sRGB of [`Role::Foreground`].
     pub foreground: [u8; 3],
-    /// Of [`Role::Muted`].
+    /// sRGB of [`Role::Muted`].
     pub muted: [u8; 3],
-    /// Of [`Role::Faint`].
+    /// sRGB of [`Role::Faint`].
     pub faint: [u8; 3],
-    /// Of [`Role::Background`].
+    /// sRGB of [`Role::Background`].
     pub background: [u8; 3],
-    /// Of [`Role::Accent`].
+    /// sRGB of [`Role::Accent`].
     pub accent: [u8; 3],
-    /// Of [`Role::Series`].
+    /// sRGB of [`Role::Series`], by position.
     pub series: [[u8; 3]; SERIES_COLORS],
 }
 
 impl Palette {
-    /// For light windows.
+    /// Palette for light windows.
     pub const LIGHT: Self = Self {
         foreground: [0x1d, 0x1f, 0x23],
         muted: [0x5c, 0x62, 0x6b],
@@ -100,7 +100,7 @@ impl Palette {
             [0x6b, 0x6b, 0x6b],
         ],
     };
-    /// For dark windows.
+    /// Palette for dark windows.
     pub const DARK: Self = Self {
         foreground: [0xec, 0xed, 0xee],
         muted: [0x9e, 0xa4, 0xad],

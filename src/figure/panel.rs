@@ -6,12 +6,12 @@ use super::fit_output::FitOutput;
 use super::palette::Palette;
 use super::scale::{Axis, RadialScale};
 use super::subject::{Channel, Look, Source, Subject};
-use super::table::Table;
+use super::table::DataTable;
 
-/// What decides whether the axes of two panels of one kind of view can have the same ends.
+/// Settings that must agree for the axes of two panels of one kind of view to have the same ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SharedAxis {
-    /// How values become lengths or colours.
+    /// Law from values to lengths or colours.
     pub scale: RadialScale,
     /// Cosines that f_r is multiplied by.
     pub cosine: CosineFactor,
@@ -29,7 +29,7 @@ pub trait PanelView {
         false
     }
 
-    /// Its axis of values, where panels can share one.
+    /// Settings of the axis of values, where panels can share one.
     fn shared_axis(&self) -> Option<SharedAxis> {
         None
     }
@@ -39,7 +39,7 @@ pub trait PanelView {
         None
     }
 
-    /// Draws it.
+    /// Draws the panel in the size of `input`.
     fn draw(&self, input: &PanelInput) -> PanelDrawing;
 }
 
@@ -49,8 +49,8 @@ pub struct PanelDrawing {
     /// The picture, of the size that was asked for.
     pub drawing: Drawing,
     /// The numbers in the picture; no rows where it is a picture only.
-    pub table: Table,
-    /// Its axis of values, where others may have the same.
+    pub table: DataTable,
+    /// Axis of values, where others may have the same.
     pub axis: Option<Axis>,
 }
 
@@ -58,13 +58,13 @@ pub struct PanelDrawing {
 pub struct PanelInput<'a> {
     /// The subjects of the panel, in its order; without names where the panel is not to name them.
     pub subjects: &'a [Subject],
-    /// The same subjects with their names.
+    /// Subjects of the panel with their names, in the same order.
     pub named: &'a [Subject],
-    /// What only a fit can tell, for the views that show it.
+    /// Output of a fit, for the views that show it.
     pub made: Option<&'a FitOutput>,
     /// Name of the measured material.
     pub name: &'a str,
-    /// In points of the drawing.
+    /// Width and height in points of the drawing.
     pub size: [f32; 2],
     /// Pixels per point of the drawing.
     pub density: f32,

@@ -3,9 +3,9 @@
 /// One value of a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// Where; an angle in radians.
+    /// Angle in radians.
     pub x: f64,
-    /// What is plotted; `None` where there is no value.
+    /// Plotted value; `None` where there is none.
     pub value: Option<f64>,
 }
 
@@ -14,7 +14,7 @@ pub fn values(samples: &[Sample]) -> impl Iterator<Item = f64> {
     samples.iter().filter_map(|sample| sample.value)
 }
 
-/// Where a curve is highest, and its value there.
+/// Angle in radians of the highest sample, and its value.
 pub fn peak(samples: &[Sample]) -> Option<(f64, f64)> {
     samples
         .iter()
@@ -39,7 +39,7 @@ pub fn value_at(samples: &[Sample], x: f64) -> Option<f64> {
 const FINEST_DEG: f64 = 0.002;
 const GROWTH: f64 = 1.15;
 
-/// How far from a peak samples stand closer, in degrees.
+/// Distance from a peak within which samples stand closer, in degrees.
 const PEAK_DEG: f64 = 2.0;
 
 /// Angles in radians around one where a highlight may be, and that one itself; not in order.

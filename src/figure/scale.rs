@@ -1,4 +1,4 @@
-//! How values become lengths: linear, cube root or logarithmic, with limits and ticks at round values.
+//! Scales from values to lengths: linear, cube root or logarithmic, with limits and ticks at round values.
 
 use crate::keys;
 use serde::{Deserialize, Serialize};
@@ -13,10 +13,10 @@ pub use ticks::{Steps, Tick, Ticks};
 pub enum RadialScale {
     /// Length in proportion to the value.
     Linear,
-    /// To its cube root: peaks and tails in one picture, and 0 stays 0.
+    /// Length by the cube root of the value: peaks and tails in one picture, and 0 stays 0.
     #[default]
     CubeRoot,
-    /// To its logarithm above a floor, which is at length 0.
+    /// Length by the logarithm of the value above a floor, which is at length 0.
     Log,
 }
 
@@ -39,7 +39,7 @@ impl RadialScale {
         }
     }
 
-    /// What an axis title says of it, in the markup of [`super::text`].
+    /// Words for the scale in an axis title, in the markup of [`super::text`].
     pub fn phrase(self) -> &'static str {
         match self {
             Self::Linear => "linear",
@@ -60,7 +60,7 @@ const DECADES: (i32, i32) = (3, 6);
 /// A scale with its limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
-    /// Its law.
+    /// Law from values to lengths.
     pub scale: RadialScale,
     /// The value at length 1.
     pub limit: f64,
@@ -77,7 +77,7 @@ impl Axis {
         Self::with_decades(scale, limit, smallest, DECADES)
     }
 
-    /// The same with the fewest and most decades that a logarithmic axis shows.
+    /// Axis with the fewest and most decades that it shows where it is logarithmic.
     pub fn with_decades(
         scale: RadialScale,
         limit: f64,
@@ -143,7 +143,7 @@ impl Axis {
         (self.bent(value) - from) / (self.bent(self.limit) - from)
     }
 
-    /// The same for lengths that end at 0: 0 at the floor and below.
+    /// Length of a value, where lengths end at 0: 0 at the floor and below.
     pub fn position(&self, value: f64) -> f64 {
         self.share(value).max(0.0)
     }

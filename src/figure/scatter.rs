@@ -6,14 +6,14 @@ pub use panel::ScatterSpec;
 
 use super::drawing::{Drawing, Point};
 use super::palette::{Ink, Role};
-use super::plot::{Frame, Outline, Panel, Pen, Plot, Spot};
+use super::plot::{Outline, Panel, Pen, Plot, PlotDot, PlotFrame};
 use super::scale::{Axis, RadialScale, Steps};
 use super::text::{RichText, elided};
 
 /// A material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ScatterDot {
-    /// Its name.
+    /// Display name.
     pub name: String,
     /// Exponent of the combined model, > 0.
     pub s: f64,
@@ -31,7 +31,7 @@ pub struct ScatterDot {
 const DECADES: f64 = 2.0;
 /// α at the lower and upper edge: what is beyond 0 and 1 is room for words.
 const EDGES: (f64, f64) = (-0.1, 1.1);
-/// How near in points a dot must be to be meant.
+/// Largest distance in points at which the pointer still means a dot.
 const NEAR: f32 = 14.0;
 /// Longest name in units of the font size.
 const NAME_EM: f32 = 14.0;
@@ -39,11 +39,11 @@ const NAME_EM: f32 = 14.0;
 /// The plot with what is where in it.
 #[derive(Clone, Debug)]
 pub struct ScatterPlot {
-    /// What is painted.
+    /// Picture of the plot.
     pub drawing: Drawing,
-    /// Where values are.
-    pub frame: Frame,
-    /// Where the dots are, in the order of the list; `None` for what has no place on the axes.
+    /// Map between values and points of the drawing.
+    pub frame: PlotFrame,
+    /// Points of the dots, in the order of the list; `None` for what has no place on the axes.
     pub places: Vec<Option<Point>>,
 }
 
@@ -102,11 +102,11 @@ fn draw(plot: &mut Plot, dots: &[ScatterDot]) -> Vec<Option<Point>> {
     let mut order: Vec<usize> = (0..dots.len()).collect();
     order.sort_by_key(|index| !dots[*index].shown);
     // The name keeps off the ring, where there is one.
-    let mut spots: Vec<Spot> = Vec::new();
+    let mut spots: Vec<PlotDot> = Vec::new();
     let mut at = Vec::new();
     for dot in order.iter().map(|index| &dots[*index]) {
         at.push(spots.len());
-        let spot = |wider: f32, ink: Ink, named: bool| Spot {
+        let spot = |wider: f32, ink: Ink, named: bool| PlotDot {
             x: dot.s,
             y: dot.alpha,
             radius: wider + if dot.shown { 6.0 } else { 4.5 },
@@ -168,7 +168,7 @@ mod tests {
         ];
         let plot = ScatterPlot::new(&dots, None, [600.0, 400.0]);
         // Two decades and 0.22 at each end, so that no dot lies on the frame.
-        let Frame { min, max, x, .. } = plot.frame;
+        let PlotFrame { min, max, x, .. } = plot.frame;
         assert!((x.floor.log10() - 0.78).abs() < 1e-9 && (x.limit.log10() - 3.22).abs() < 1e-9);
         let share = |log: f32| (log - 0.78) / 2.44;
         let point = |across: f32, alpha: f32| {

@@ -22,7 +22,7 @@ pub enum Shown {
     Ratio,
 }
 
-/// All of them in the order offered.
+/// Quantities in the order offered.
 pub const SHOWN: [Shown; 4] = [Shown::Measured, Shown::Model, Shown::Residual, Shown::Ratio];
 
 impl Shown {
@@ -51,7 +51,7 @@ impl Shown {
         }
     }
 
-    /// Its words in a title.
+    /// Words for the quantity in a title.
     pub fn phrase(self) -> &'static str {
         match self {
             Self::Measured => "measured",

@@ -12,7 +12,7 @@ pub use spec::{OVERS, Over, RESIDUALS, Residual, SliceSpec};
 
 use super::drawing::{Drawing, Point};
 use super::legend::LegendEntry;
-use super::plot::Frame;
+use super::plot::PlotFrame;
 use super::subject::Subject;
 
 /// A plot of slices: the picture, where things are in it, and the numbers behind it.
@@ -20,15 +20,15 @@ use super::subject::Subject;
 pub struct SlicePlot {
     /// The picture.
     pub drawing: Drawing,
-    /// Where values are in it: x in degrees, y in 1/sr.
-    pub frame: Frame,
-    /// The same of the residuals below, if there are any.
-    pub strip: Option<Frame>,
-    /// What is drawn as numbers, within the window.
+    /// Map between values and points of the drawing: x in degrees, y in 1/sr.
+    pub frame: PlotFrame,
+    /// Map between values and points of the panel of residuals below, if there are any.
+    pub strip: Option<PlotFrame>,
+    /// Curves as numbers, within the window.
     pub traces: Vec<SliceTrace>,
     /// The residuals as numbers.
     pub residuals: Vec<ResidualTrace>,
-    /// Where the names of the subjects are.
+    /// Places of the subjects' names.
     pub legend: Vec<LegendEntry>,
 }
 

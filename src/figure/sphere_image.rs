@@ -19,7 +19,7 @@ use crate::geom::sphere::{HATCH, SphereView, irradiance, local_directions};
 use crate::geom::sphere_error::SphereError;
 use rayon::prelude::*;
 
-/// What a sphere shows.
+/// Picture on a sphere, with its sources.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SphereSource {
     /// One BRDF.
@@ -30,16 +30,16 @@ pub enum SphereSource {
         left: Source,
         /// Right of it.
         right: Source,
-        /// Where the line is: −1 is the left rim, 1 the right one.
+        /// Place of the line: −1 is the left rim, 1 the right one.
         at: f64,
     },
-    /// How far a model is from a measurement, in the colours of [`error_colors`].
+    /// Error of a model against a measurement, in the colours of [`error_colors`].
     Compared {
         /// The measurement.
         measured: Source,
         /// The model.
         model: Source,
-        /// How they are compared.
+        /// Measure of the error.
         error: SphereError,
     },
 }
@@ -122,7 +122,7 @@ fn unit_point(size: usize, x_px: f64, y_px: f64) -> (f64, f64) {
     (unit(x_px), -unit(y_px))
 }
 
-/// Which of the two tones the hatch has at a place in pixels. Its stripes grow with large pictures.
+/// Position in [`HATCH`] of the tone of the hatch at a place in pixels. Its stripes grow with large pictures.
 fn hatch_tone(size: usize, x_px: f64, y_px: f64) -> usize {
     let period = (size as f64 / 32.0).max(8.0);
     usize::from((x_px + y_px).rem_euclid(period) >= 0.5 * period)
@@ -134,7 +134,7 @@ fn hatch_color(tone: usize) -> Rgb {
     [r, g, b].map(srgb_decode)
 }
 
-/// What is seen at a point of the exposed sphere; `None` where a light above the horizon has no value.
+/// Exposed radiance in linear RGB at a point of the sphere; `None` where a light above the horizon has no value.
 fn radiance_at(source: &Source, view: &SphereView, x: f64, y: f64) -> Option<Rgb> {
     let mut radiance = [0.0; 3];
     for light in &view.lights {

@@ -1,4 +1,4 @@
-//! Whose f_r is plotted, and how it looks: measurements, models and fits.
+//! Subjects of a plot, whose f_r it shows, and their look: measurements, models and fits.
 
 use crate::brdf::Brdf;
 use crate::geom::{Rgb, color::luminance};
@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::Arc;
 
-/// What of a colour is plotted.
+/// Channel of a colour that is plotted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Channel {
@@ -49,7 +49,7 @@ impl Channel {
         keys::by_key(key)
     }
 
-    /// Its value in linear RGB.
+    /// Value of a linear RGB colour in this channel.
     pub fn of(self, rgb: Rgb) -> f64 {
         match self {
             Self::Luminance => luminance(rgb),
@@ -63,7 +63,7 @@ impl Channel {
 /// f_r of (wi, wo) in 1/sr; `None` where it has no value.
 pub type Function = dyn Fn(DVec3, DVec3) -> Option<Rgb> + Send + Sync;
 
-/// Where the values of a subject come from. Cheap to copy.
+/// Source of the values of a subject. Cheap to copy.
 #[derive(Clone)]
 pub enum Source {
     /// A measured table.
@@ -111,14 +111,14 @@ impl fmt::Debug for Source {
     }
 }
 
-/// How the lines of a subject look; in the order in which they are drawn over each other.
+/// Look of the lines of a subject; in the order in which they are drawn over each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Look {
     /// Solid.
     Measured,
     /// A fit beside the model, thinner: dotted, or with long dashes.
     Beside {
-        /// Which of the two.
+        /// Whether the dashes are long, which tells two kinds of models apart.
         long: bool,
     },
     /// Dashed.
@@ -148,7 +148,7 @@ impl Look {
 /// A BRDF to plot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Subject {
-    /// Its name in the legend.
+    /// Name in the legend.
     pub label: String,
     /// Measurement or model.
     pub look: Look,
@@ -157,6 +157,6 @@ pub struct Subject {
     pub series: usize,
     /// Whether only its name in the legend is shown, greyed.
     pub hidden: bool,
-    /// Its values.
+    /// Source of the values.
     pub source: Source,
 }

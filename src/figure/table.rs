@@ -3,21 +3,21 @@
 //! Angles are in degrees, `value` is in the unit that the picture's title states. What has no value is empty.
 
 use super::cosine::CosineFactor;
-use super::heatmap::Field as Cells;
+use super::heatmap::HeatField as Cells;
 use super::subject::{Channel, Look, Subject};
 
-/// What stands in a field.
+/// Content of a field.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Field {
+pub enum TableField {
     /// Words.
     Text(String),
     /// A number.
     Number(f64),
-    /// Nothing.
+    /// No content.
     Empty,
 }
 
-impl From<f64> for Field {
+impl From<f64> for TableField {
     /// Empty where it is no number.
     fn from(number: f64) -> Self {
         if number.is_finite() {
@@ -28,13 +28,13 @@ impl From<f64> for Field {
     }
 }
 
-impl From<Option<f64>> for Field {
+impl From<Option<f64>> for TableField {
     fn from(number: Option<f64>) -> Self {
         number.map_or(Self::Empty, Self::from)
     }
 }
 
-impl From<&str> for Field {
+impl From<&str> for TableField {
     fn from(text: &str) -> Self {
         Self::Text(text.into())
     }
@@ -42,14 +42,14 @@ impl From<&str> for Field {
 
 /// Rows of fields under names.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Table {
+pub struct DataTable {
     /// Names of the columns.
     pub columns: Vec<&'static str>,
-    /// As many fields as columns in each.
-    pub rows: Vec<Vec<Field>>,
+    /// Rows, with as many fields in each as there are columns.
+    pub rows: Vec<Vec<TableField>>,
 }
 
-impl Table {
+impl DataTable {
     /// A table without rows.
     pub fn new(columns: &[&'static str]) -> Self {
         Self {
@@ -71,8 +71,8 @@ impl Table {
         }
         for (panel, table) in tables.iter().enumerate() {
             for row in &table.rows {
-                let mut fields = vec![Field::Empty; all.columns.len()];
-                fields[0] = Field::Number((panel + 1) as f64);
+                let mut fields = vec![TableField::Empty; all.columns.len()];
+                fields[0] = TableField::Number((panel + 1) as f64);
                 for (column, field) in table.columns.iter().zip(row) {
                     if let Some(at) = all.columns.iter().position(|other| other == column) {
                         fields[at] = field.clone();
@@ -84,7 +84,7 @@ impl Table {
         all
     }
 
-    /// As text with `separator` between fields, quoted where they hold it. Numbers are read back as the same f64.
+    /// Text with `separator` between fields, quoted where they hold it. Numbers are read back as the same f64.
     pub fn text(&self, separator: char) -> String {
         let mut text = self.columns.join(&separator.to_string());
         text.push('\n');
@@ -94,13 +94,13 @@ impl Table {
                     text.push(separator);
                 }
                 match field {
-                    Field::Text(words) => text.push_str(&quoted(words, separator)),
+                    TableField::Text(words) => text.push_str(&quoted(words, separator)),
                     // Whole numbers without a point.
-                    Field::Number(number) if number.fract() == 0.0 && number.abs() < 1e15 => {
+                    TableField::Number(number) if number.fract() == 0.0 && number.abs() < 1e15 => {
                         text.push_str(&format!("{number:.0}"));
                     }
-                    Field::Number(number) => text.push_str(&format!("{number:?}")),
-                    Field::Empty => {}
+                    TableField::Number(number) => text.push_str(&format!("{number:?}")),
+                    TableField::Empty => {}
                 }
             }
             text.push('\n');
@@ -125,7 +125,7 @@ impl Table {
 }
 
 /// The fields that say what a curve shows: quantity, channel, name and kind of its subject.
-pub fn curve_head(cosine: CosineFactor, channel: Channel, subject: &Subject) -> [Field; 4] {
+pub fn curve_head(cosine: CosineFactor, channel: Channel, subject: &Subject) -> [TableField; 4] {
     [
         cosine.quantity().into(),
         channel.name().into(),
@@ -160,11 +160,11 @@ mod tests {
 
     #[test]
     fn tables_are_joined_by_the_names_of_their_columns() {
-        let table = |columns: &[&'static str], fields: Vec<Field>| Table {
+        let table = |columns: &[&'static str], fields: Vec<TableField>| DataTable {
             columns: columns.to_vec(),
             rows: vec![fields],
         };
-        let joined = Table::joined(&[
+        let joined = DataTable::joined(&[
             table(&["curve", "value"], vec!["a,\"b\"".into(), 0.1.into()]),
             table(&["s", "value"], vec![300.0.into(), f64::NAN.into()]),
         ]);
@@ -178,7 +178,7 @@ mod tests {
 
     #[test]
     fn names_cannot_break_rows() {
-        let mut table = Table::new(&["material", "s", "alpha"]);
+        let mut table = DataTable::new(&["material", "s", "alpha"]);
         let name = "two\nlines\tand a tab";
         table.rows.push(vec![name.into(), 1e-20.into(), 0.5.into()]);
         let text = table.text('\t');

@@ -2,10 +2,10 @@
 //!
 //! A level ends at the next `}`; levels do not nest. Whatever is not markup is text, so parsing never fails.
 
-/// How high a run stands.
+/// Height of a run in its line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Level {
-    /// On the line.
+pub enum ScriptLevel {
+    /// Text on the line.
     Base,
     /// Below it and smaller.
     Sub,
@@ -16,7 +16,7 @@ pub enum Level {
 /// Size of a subscript or superscript, relative to the text around it.
 pub const SCRIPT_SIZE: f32 = 0.72;
 
-impl Level {
+impl ScriptLevel {
     /// Size of its letters, relative to the base.
     pub fn relative_size(self) -> f32 {
         match self {
@@ -28,18 +28,18 @@ impl Level {
 
 /// A piece of text on one level; never empty.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Run {
-    /// What it says.
+pub struct TextRun {
+    /// Characters of the run.
     pub text: String,
-    /// How high it stands.
-    pub level: Level,
+    /// Height in the line.
+    pub level: ScriptLevel,
 }
 
 /// One line of text with subscripts and superscripts.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct RichText {
-    /// From left to right.
-    pub runs: Vec<Run>,
+    /// Runs from left to right.
+    pub runs: Vec<TextRun>,
 }
 
 impl RichText {
@@ -59,26 +59,26 @@ impl RichText {
                 continue;
             };
             let level = if rest.as_bytes()[at] == b'_' {
-                Level::Sub
+                ScriptLevel::Sub
             } else {
-                Level::Sup
+                ScriptLevel::Sup
             };
-            text.push(&rest[..at], Level::Base);
+            text.push(&rest[..at], ScriptLevel::Base);
             text.push(inside, level);
             (rest, searched) = (behind, 0);
         }
-        text.push(rest, Level::Base);
+        text.push(rest, ScriptLevel::Base);
         text
     }
 
     /// Text without markup: names that people chose, where `_{` means itself.
     pub fn literal(text: &str) -> Self {
         let mut literal = Self::default();
-        literal.push(text, Level::Base);
+        literal.push(text, ScriptLevel::Base);
         literal
     }
 
-    /// What it says, without levels: for screen readers and searching.
+    /// Characters without levels: for screen readers and searching.
     pub fn plain(&self) -> String {
         self.runs.iter().map(|run| run.text.as_str()).collect()
     }
@@ -91,9 +91,9 @@ impl RichText {
             .sum()
     }
 
-    fn push(&mut self, text: &str, level: Level) {
+    fn push(&mut self, text: &str, level: ScriptLevel) {
         if !text.is_empty() {
-            self.runs.push(Run {
+            self.runs.push(TextRun {
                 text: text.to_owned(),
                 level,
             });
@@ -135,7 +135,7 @@ fn char_em(letter: char) -> f32 {
 mod tests {
     use super::*;
 
-    fn runs(markup: &str) -> Vec<(String, Level)> {
+    fn runs(markup: &str) -> Vec<(String, ScriptLevel)> {
         RichText::parse(markup)
             .runs
             .into_iter()
@@ -143,13 +143,13 @@ mod tests {
             .collect()
     }
 
-    fn run(text: &str, level: Level) -> (String, Level) {
+    fn run(text: &str, level: ScriptLevel) -> (String, ScriptLevel) {
         (text.to_owned(), level)
     }
 
     #[test]
     fn levels_are_read() {
-        use Level::{Base, Sub, Sup};
+        use ScriptLevel::{Base, Sub, Sup};
         assert_eq!(runs("sr^{−1}"), [run("sr", Base), run("−1", Sup)]);
         assert_eq!(
             runs("(ω_{h}·n)^{4s}"),
@@ -172,13 +172,13 @@ mod tests {
         for text in [
             "a_b", "a^b", "x_{open", "}", "{a}", "_", "^", "5 ^ {3}", "ω_", "_^{",
         ] {
-            assert_eq!(runs(text), [run(text, Level::Base)], "{text}");
+            assert_eq!(runs(text), [run(text, ScriptLevel::Base)], "{text}");
         }
         assert_eq!(runs(""), []);
-        assert_eq!(runs("x_{}"), [run("x", Level::Base)]);
+        assert_eq!(runs("x_{}"), [run("x", ScriptLevel::Base)]);
         assert_eq!(
             runs("a_b_{c}"),
-            [run("a_b", Level::Base), run("c", Level::Sub)]
+            [run("a_b", ScriptLevel::Base), run("c", ScriptLevel::Sub)]
         );
         assert_eq!(RichText::literal("a_{b}").plain(), "a_{b}");
         assert_eq!(RichText::parse("a_{b}").plain(), "ab");

@@ -1,4 +1,4 @@
-//! How E falls while a fit runs: over evaluations, stage after stage.
+//! Trace of a fit: E over evaluations, stage after stage.
 
 use super::drawing::{Anchor, Drawing, Item, Label, Point};
 use super::palette::{Ink, Role};
@@ -19,14 +19,14 @@ pub struct TracePoint {
     pub all_cells: bool,
 }
 
-/// What a trace shows.
+/// Settings and data of a trace.
 #[derive(Clone, Copy, Debug)]
 pub struct TraceSpec<'a> {
-    /// In the order in which they were said.
+    /// Points in the order in which they were reported.
     pub points: &'a [TracePoint],
     /// The material, which gives the colour.
     pub series: usize,
-    /// What is said where there is no point.
+    /// Sentence in place of the curve where there is no point.
     pub empty: &'a str,
 }
 
@@ -40,7 +40,7 @@ const FONT: f32 = 10.5;
 
 /// Draws a trace into `size` points.
 pub fn draw(spec: &TraceSpec, size: [f32; 2]) -> Drawing {
-    let mut canvas = Canvas::new(size);
+    let mut canvas = TraceCanvas::new(size);
     let points = laid_out(spec.points);
     if points.is_empty() {
         canvas.frame();
@@ -51,7 +51,7 @@ pub fn draw(spec: &TraceSpec, size: [f32; 2]) -> Drawing {
         canvas.text(spec.empty, center, Anchor::CENTER, Role::Muted);
         return canvas.drawing;
     }
-    let view = View::of(&points, &canvas);
+    let view = TraceView::of(&points, &canvas);
     canvas.frame();
     axes(&mut canvas, &view);
     stages(&mut canvas, &view, &points);
@@ -89,15 +89,15 @@ fn laid_out(points: &[TracePoint]) -> Vec<Placed> {
 }
 
 /// The ends of both axes, and where values are on the canvas.
-struct View {
+struct TraceView {
     last: f64,
     low: f64,
     high: f64,
     corners: [Point; 2],
 }
 
-impl View {
-    fn of(points: &[Placed], canvas: &Canvas) -> Self {
+impl TraceView {
+    fn of(points: &[Placed], canvas: &TraceCanvas) -> Self {
         let most = points.iter().map(|p| p.percent).fold(0.0, f64::max);
         let most = if most > 0.0 { most } else { 1.0 };
         let least = points.iter().map(|p| p.percent).fold(most, f64::min);
@@ -145,7 +145,7 @@ fn round_below(value: f64) -> f64 {
         .unwrap_or(value)
 }
 
-fn axes(canvas: &mut Canvas, view: &View) {
+fn axes(canvas: &mut TraceCanvas, view: &TraceView) {
     canvas.text(
         "E [%], log",
         [canvas.left, 0.5 * canvas.top],
@@ -186,7 +186,7 @@ fn axes(canvas: &mut Canvas, view: &View) {
 }
 
 /// A line where a stage begins, and its number.
-fn stages(canvas: &mut Canvas, view: &View, points: &[Placed]) {
+fn stages(canvas: &mut TraceCanvas, view: &TraceView, points: &[Placed]) {
     let mut begin = 0.0;
     for stage in points.chunk_by(|a, b| a.stage == b.stage) {
         let end = stage.last().map_or(begin, |point| point.x);
@@ -209,7 +209,7 @@ fn stages(canvas: &mut Canvas, view: &View, points: &[Placed]) {
     }
 }
 
-fn curve(canvas: &mut Canvas, view: &View, points: &[Placed], series: usize) {
+fn curve(canvas: &mut TraceCanvas, view: &TraceView, points: &[Placed], series: usize) {
     let ink = Ink::from(Role::Series(series));
     let at = |point: &Placed| [view.x(point.x), view.y(point.percent)];
     let mut line: Vec<Point> = Vec::new();
@@ -247,7 +247,7 @@ fn faded(ink: Ink, exact: bool) -> Ink {
 }
 
 /// The drawing and the rectangle of the plot in it.
-struct Canvas {
+struct TraceCanvas {
     drawing: Drawing,
     placing: Placing,
     left: f32,
@@ -256,7 +256,7 @@ struct Canvas {
     bottom: f32,
 }
 
-impl Canvas {
+impl TraceCanvas {
     fn new(size: [f32; 2]) -> Self {
         Self {
             drawing: Drawing::new(size),

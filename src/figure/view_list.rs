@@ -1,9 +1,9 @@
 //! Turns the list of views into the type of a view on a page.
 
-/// Declares `ViewSpec`, an enum with a case per view, and what is the same of all of them.
+/// Declares `ViewSpec`, an enum with a case per view, and the functions that all views share.
 ///
-/// In files a view is an object with its name and its settings, such as `{"lobes": {"theta_i": [60]}}`; its name alone stands
-/// for the settings that it has by default.
+/// JSON: an object with its name and its settings, such as `{"lobes": {"theta_i": [60]}}`; its name alone stands for
+/// the settings that it has by default.
 macro_rules! view_list {
     ($($(#[$doc:meta])* $view:ident($spec:ty),)*) => {
         /// A view on a page: its kind and its settings.
@@ -16,11 +16,11 @@ macro_rules! view_list {
         /// Kinds of views, by their names in files.
         #[derive(Clone, Copy, serde::Deserialize)]
         #[serde(rename_all = "kebab-case")]
-        enum Kind {
+        enum ViewKind {
             $($view,)*
         }
 
-        impl Kind {
+        impl ViewKind {
             fn with_defaults(self) -> ViewSpec {
                 match self {
                     $(Self::$view => ViewSpec::$view(Default::default()),)*
@@ -29,27 +29,27 @@ macro_rules! view_list {
         }
 
         impl ViewSpec {
-            /// Every kind of view with its default settings.
+            /// Views with their default settings, one of each kind.
             pub fn defaults() -> Vec<Self> {
-                vec![$(Kind::$view.with_defaults(),)*]
+                vec![$(ViewKind::$view.with_defaults(),)*]
             }
 
             /// Name in files and on the command line.
             pub fn key(&self) -> &'static str {
                 let kind = match self {
-                    $(Self::$view(_) => Kind::$view,)*
+                    $(Self::$view(_) => ViewKind::$view,)*
                 };
-                $crate::keys::key_at::<Kind>(kind as usize)
+                $crate::keys::key_at::<ViewKind>(kind as usize)
             }
 
-            /// How it is drawn.
+            /// Settings as a panel that draws itself.
             pub fn panel(&self) -> &dyn $crate::figure::panel::PanelView {
                 match self {
                     $(Self::$view(spec) => spec,)*
                 }
             }
 
-            /// How it is drawn, to be changed.
+            /// Settings as a panel, to be changed.
             pub fn panel_mut(&mut self) -> &mut dyn $crate::figure::panel::PanelView {
                 match self {
                     $(Self::$view(spec) => spec,)*
@@ -78,7 +78,7 @@ macro_rules! view_list {
                     fn visit_str<E: serde::de::Error>(self, name: &str) -> Result<ViewSpec, E> {
                         use serde::de::IntoDeserializer;
                         let name: serde::de::value::StrDeserializer<'_, E> = name.into_deserializer();
-                        <Kind as serde::Deserialize>::deserialize(name).map(Kind::with_defaults)
+                        <ViewKind as serde::Deserialize>::deserialize(name).map(ViewKind::with_defaults)
                     }
 
                     fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<ViewSpec, A::Error> {

@@ -9,7 +9,7 @@ use grazing::app::command::Command;
 use grazing::app::msg::Msg;
 use grazing::app::state::State;
 use grazing::app::state::view_settings::Settings;
-use grazing::app::{App, Options, Picker};
+use grazing::app::{App, Picker, WindowOptions};
 use grazing::brdf::ParamId;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -36,7 +36,7 @@ pub fn nothing_picked() -> Picker {
 
 /// A window whose dialogs are answered by this.
 pub fn window_with(files: Vec<PathBuf>, picker: Picker) -> Window {
-    window_of(Options {
+    window_of(WindowOptions {
         files,
         picker,
         autosave: None,
@@ -44,17 +44,17 @@ pub fn window_with(files: Vec<PathBuf>, picker: Picker) -> Window {
 }
 
 /// A window that starts like this.
-pub fn window_of(options: Options) -> Window {
+pub fn window_of(options: WindowOptions) -> Window {
     built(Harness::builder(), options)
 }
 
 /// The same, where texts may have characters that no font has: boxes stand for them, as in the program. Elsewhere such
 /// a character fails the test.
-pub fn window_with_boxes(options: Options) -> Window {
+pub fn window_with_boxes(options: WindowOptions) -> Window {
     built(Harness::builder().allow_missing_glyphs(), options)
 }
 
-fn built(builder: HarnessBuilder<App>, options: Options) -> Window {
+fn built(builder: HarnessBuilder<App>, options: WindowOptions) -> Window {
     let mut window = builder
         .with_size([1280.0, 800.0])
         .with_step_dt(0.03)

@@ -4,7 +4,7 @@ use crate::common::folder::Folder;
 use crate::common::program::{grazing, succeeded};
 use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
 use grazing::figure::Channel;
-use grazing::figure::heatmap::{Cell, Field};
+use grazing::figure::heatmap::{Cell, HeatField};
 use grazing::figure::image_slice::ImageSpec;
 use grazing::figure::shown::SHOWN;
 use grazing::figure::subject::Source;
@@ -56,7 +56,7 @@ fn eval(folder: &Folder, source: &Path, spec: &ImageSpec) -> Vec<Option<[f64; 3]
 }
 
 /// The largest relative distance of the picture's cells from the wanted values.
-fn off(field: &Field, wanted: &[Option<f64>]) -> f64 {
+fn off(field: &HeatField, wanted: &[Option<f64>]) -> f64 {
     let distances =
         CELLS
             .iter()

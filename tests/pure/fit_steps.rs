@@ -6,7 +6,7 @@ use grazing::app::msg::{Loaded, Msg, Task};
 use grazing::app::reduce::apply;
 use grazing::app::state::State;
 use grazing::app::state::fitting::run::FitUpdates;
-use grazing::app::state::fitting::settings::Settings;
+use grazing::app::state::fitting::settings::FitSettings;
 use grazing::app::state::material::{MaterialId, Origin};
 use grazing::app::views::lobes::settings::LobeSettings;
 use grazing::brdf::{Brdf, Fresnel, ParamId};
@@ -443,9 +443,9 @@ fn best_amplitudes_follow_the_model_and_what_cannot_be_had_says_so() {
 fn an_unfinished_setup_cannot_be_fitted() {
     let mut state = state(1);
     let stages = StageSet::NONE;
-    let settings = Settings {
+    let settings = FitSettings {
         stages,
-        ..Settings::default()
+        ..FitSettings::default()
     };
     apply(&mut state, Msg::Fit(FitMsg::Settings(settings)));
     assert!(!Command::Fit.is_enabled(&state));

@@ -4,7 +4,7 @@ use crate::common::folder::Folder;
 use crate::common::window::{Window, click, nothing_picked, run, set_slider, settle, window_with};
 use grazing::app::Picker;
 use grazing::app::command::Command;
-use grazing::app::state::notice::Level;
+use grazing::app::state::notice::Severity;
 use grazing::brdf::{Brdf, codegen};
 use grazing::files::{MODEL_FORMATS, ModelFormat};
 use grazing::measured::merl;
@@ -56,7 +56,7 @@ fn a_model_is_saved_as_every_kind_of_file() {
         }
         settle(&mut window, |state| {
             let mut notices = state.notices.iter();
-            notices.any(|notice| notice.level == Level::Info && notice.text == saved)
+            notices.any(|notice| notice.level == Severity::Info && notice.text == saved)
         });
     }
     let names = proposed.lock().expect("no panic").clone();
@@ -107,7 +107,7 @@ fn what_cannot_be_saved_is_said() {
     run(&mut window, Command::ExportModel(ModelFormat::Glsl));
     settle(&mut window, |state| !state.notices.is_empty());
     let notice = &window.state().state().notices[0];
-    assert_eq!(notice.level, Level::Error);
+    assert_eq!(notice.level, Severity::Error);
     assert!(notice.text.contains("no directory") && notice.text.ends_with(".glsl"));
     // A dialog that never was.
     let mut window = crate::common::window::window(vec![], vec![]);

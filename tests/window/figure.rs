@@ -18,7 +18,7 @@ use grazing::app::state::views::{VIEWS, ViewId};
 use grazing::app::views::lobes::settings::LobeSettings;
 use grazing::app::views::scatter::settings::ScatterSettings;
 use grazing::app::views::sphere::settings::SphereSettings;
-use grazing::export::{FigureSpec, Format};
+use grazing::export::{FigureFormat, FigureSpec};
 use grazing::figure::ViewSpec;
 use grazing::geom::sight::Sight;
 use std::path::{Path, PathBuf};
@@ -55,7 +55,7 @@ fn draw_again(spec: &Path, to: &Path) {
 #[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_window_and_the_command_write_the_same_bytes() {
     let folder = Folder::new();
-    for format in [Format::Svg, Format::Pdf, Format::Csv] {
+    for format in [FigureFormat::Svg, FigureFormat::Pdf, FigureFormat::Csv] {
         let path = folder.path(format!("lobes.{}", format.extension()));
         let mut window = saving_to(path.clone());
         run(&mut window, Command::ExportFigure);

@@ -8,7 +8,7 @@ use crate::common::window::{
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
-use grazing::app::state::notice::{Dialog, Level};
+use grazing::app::state::notice::{Dialog, Severity};
 use grazing::app::state::prefs::Theme;
 use grazing::app::views::lobes::settings::LobeSettings;
 use grazing::app::views::sphere::settings::{Show, SphereSettings};
@@ -168,7 +168,7 @@ fn files_open_through_the_dialog_and_bad_ones_leave_the_rest() {
         panic!("{:?}", state.notices)
     };
     assert!(
-        notice.level == Level::Error && notice.text.contains("cut off.binary"),
+        notice.level == Severity::Error && notice.text.contains("cut off.binary"),
         "{}",
         notice.text
     );

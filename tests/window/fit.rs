@@ -9,7 +9,7 @@ use grazing::app::msg::Msg;
 use grazing::app::msg::fit::FitMsg;
 use grazing::app::state::State;
 use grazing::app::state::fitting::kept::variant_name;
-use grazing::app::state::fitting::settings::Settings;
+use grazing::app::state::fitting::settings::FitSettings;
 use grazing::brdf::{Brdf, Fresnel, MODELS, ParamId};
 use grazing::fit::options::NO_LIMIT;
 use grazing::fit::{self, EndReason, FitOptions, Outcome, Problem, STAGES, Stage, Variant, Weight};
@@ -148,7 +148,7 @@ fn a_second_fit_replaces_the_first() {
     press(&mut window, Modifiers::COMMAND, Key::F);
     let first = window.state().state().fit.run.as_ref().map(|run| run.job);
     let ctx = window.ctx.clone();
-    let settings = Settings {
+    let settings = FitSettings {
         weight: Weight::Cells,
         ..window.state().state().fit.settings.clone()
     };

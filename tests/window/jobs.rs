@@ -10,7 +10,7 @@ use grazing::app::msg::figure::FigureMsg;
 use grazing::app::msg::library::LibraryMsg;
 use grazing::app::state::State;
 use grazing::app::state::library::Scan;
-use grazing::app::state::notice::Level;
+use grazing::app::state::notice::Severity;
 use grazing::app::state::views::ViewId;
 use grazing::app::views::albedo::work::MeasuredAlbedo;
 use std::sync::Arc;
@@ -20,7 +20,7 @@ fn said_once(state: &State, doing: &str) {
     let errors: Vec<&str> = state
         .notices
         .iter()
-        .filter(|notice| notice.level == Level::Error)
+        .filter(|notice| notice.level == Severity::Error)
         .map(|notice| &*notice.text)
         .collect();
     assert_eq!(errors.len(), 1, "{errors:?}");
@@ -34,7 +34,7 @@ fn errors(state: &State) -> usize {
     let errors = state
         .notices
         .iter()
-        .filter(|notice| notice.level == Level::Error);
+        .filter(|notice| notice.level == Severity::Error);
     errors.count()
 }
 

@@ -10,9 +10,9 @@ use grazing::app::command::Command;
 use grazing::app::msg::Msg;
 use grazing::app::msg::fit::FitMsg;
 use grazing::app::msg::library::{FolderMsg, LibraryMsg};
-use grazing::app::state::fitting::settings::Settings;
-use grazing::app::state::library::listing::{Sort, SortKey};
-use grazing::app::state::library::{Kind, Scan};
+use grazing::app::state::fitting::settings::FitSettings;
+use grazing::app::state::library::listing::{FileSort, SortKey};
+use grazing::app::state::library::{FileKind, Scan};
 use grazing::app::state::material::Presence;
 use grazing::app::state::views::ViewId;
 use grazing::app::state::{State, memory};
@@ -114,7 +114,7 @@ fn every_file_is_listed_and_what_is_no_brdf_says_why() {
     assert_eq!(names, expected);
     let reason = |name: &str| match &files.iter().find(|file| file.name == name) {
         Some(file) => match &file.kind {
-            Kind::Other(reason) => reason.clone(),
+            FileKind::Other(reason) => reason.clone(),
             other => format!("{other:?}"),
         },
         None => String::new(),
@@ -325,9 +325,9 @@ fn a_sample_that_was_let_go_is_made_again() {
 fn diffuse_only(window: &mut Window) {
     run(window, Command::UseModel(0));
     run(window, Command::UseFresnel(Fresnel::None));
-    let settings = Settings {
+    let settings = FitSettings {
         stages: StageSet::from_iter([Stage::Amplitudes]),
-        ..Settings::default()
+        ..FitSettings::default()
     };
     let ctx = window.ctx.clone();
     let msg = Msg::Fit(FitMsg::Settings(settings));
@@ -392,7 +392,7 @@ fn the_folder_is_fitted_in_the_background() {
     let state = again.state().state();
     assert_eq!(state.library.folder_fits().count(), 3);
     let file = |name: &str| state.library.kind_of(&path(name)).cloned();
-    assert!(matches!(file("fits.json"), Some(Kind::Models(3))));
+    assert!(matches!(file("fits.json"), Some(FileKind::Models(3))));
     assert_eq!(kept(&again), 1, "{:?}", state.notices);
 }
 
@@ -432,7 +432,7 @@ fn of_a_hundred_files_only_those_in_sight_are_drawn() {
     // The other way round, and a folder that is closed.
     send(
         &mut window,
-        FolderMsg::Sort(Sort {
+        FolderMsg::Sort(FileSort {
             key: SortKey::Name,
             descending: true,
         })

@@ -12,7 +12,7 @@ use grazing::app::views::disc::work::DiscQuery;
 use grazing::app::views::error_map::work::ErrorMapQuery;
 use grazing::app::views::landscape::work::LandscapeQuery;
 use grazing::app::views::sphere::settings::{Show, SphereSettings};
-use grazing::app::{App, Options};
+use grazing::app::{App, WindowOptions};
 
 fn window(theme: Theme) -> Window {
     window_of(theme, [1000.0, 640.0])
@@ -25,7 +25,7 @@ fn window_of(theme: Theme, size: [f32; 2]) -> Window {
         .build_eframe(|cc| {
             App::new(
                 cc,
-                Options {
+                WindowOptions {
                     files: vec![],
                     picker: nothing_picked(),
                     autosave: None,

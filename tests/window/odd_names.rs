@@ -12,8 +12,9 @@ use eframe::App as _;
 use grazing::app::command::Command;
 use grazing::app::msg::Msg;
 use grazing::app::state::State;
+use grazing::app::state::layout::Tiles;
 use grazing::app::state::prefs::Prefs;
-use grazing::app::{Options, Picker};
+use grazing::app::{Picker, WindowOptions};
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::fs;
@@ -37,7 +38,7 @@ fn gray(folder: &Folder) -> PathBuf {
 /// A window whose dialogs answer with these paths.
 fn window(files: &[&Path], open: Option<&Path>, save: Option<&Path>) -> Window {
     let [open, save] = [open, save].map(|path| path.map(Path::to_owned));
-    let mut window = window_with_boxes(Options {
+    let mut window = window_with_boxes(WindowOptions {
         files: files.iter().map(|file| file.to_path_buf()).collect(),
         picker: Picker {
             open: Arc::new(move || open.clone().into_iter().collect()),
@@ -199,7 +200,7 @@ fn after_a_crash_the_file_and_the_name_of_the_session_come_back() {
     let session = folder.path(name(b"\xfcber.grazing.json"));
     let start = |files: Vec<PathBuf>| {
         let session = session.clone();
-        let mut window = window_with_boxes(Options {
+        let mut window = window_with_boxes(WindowOptions {
             files,
             picker: Picker {
                 save: Arc::new(move |_| Some(session.clone())),
@@ -207,7 +208,7 @@ fn after_a_crash_the_file_and_the_name_of_the_session_come_back() {
             },
             autosave: Some(kept.clone()),
         });
-        window.state_mut().close_tiles();
+        send(&mut window, Msg::SetLayout(Tiles::none()));
         window
     };
     let mut first = start(vec![file.clone()]);

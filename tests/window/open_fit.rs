@@ -5,7 +5,7 @@ use crate::common::records::{self, combined, only_named, write_fits, write_merl}
 use crate::common::window::{Window, send};
 use grazing::app::msg::Msg;
 use grazing::app::state::State;
-use grazing::app::state::notice::{Level, Notice};
+use grazing::app::state::notice::{Notice, Severity};
 use grazing::brdf::{Brdf, Fresnel, Params};
 use grazing::files;
 use grazing::files::fits::{FitRecord, SourceFile};
@@ -54,7 +54,7 @@ fn shown(state: &State) -> Vec<(&str, f64, bool)> {
 }
 
 #[track_caller]
-fn said<'a>(state: &'a State, level: Level, words: &str, path: &Path) -> &'a Notice {
+fn said<'a>(state: &'a State, level: Severity, words: &str, path: &Path) -> &'a Notice {
     let [notice] = &state.notices[..] else {
         panic!("{:?}", state.notices)
     };
@@ -137,7 +137,7 @@ fn an_open_material_takes_the_model_as_one_step() {
     assert_eq!(shown(state), [("copy of gold", 5.0, true)]);
     said(
         state,
-        Level::Info,
+        Severity::Info,
         "copy of gold have changed since the fit",
         &copy,
     );
@@ -159,7 +159,7 @@ fn a_measured_file_that_is_missing_or_changed_is_named() {
     assert_eq!(shown(state), [("gold", 9.0, false)]);
     said(
         state,
-        Level::Info,
+        Severity::Info,
         "the measured file of gold is missing",
         &gold,
     );
@@ -168,14 +168,19 @@ fn a_measured_file_that_is_missing_or_changed_is_named() {
     let window = self::window(&[&fits]);
     let state = window.state().state();
     assert_eq!(shown(state), [("gold", 9.0, true)]);
-    said(state, Level::Info, "gold have changed since the fit", &gold);
+    said(
+        state,
+        Severity::Info,
+        "gold have changed since the fit",
+        &gold,
+    );
 
     // What is there now is no measured file: that is said, and the model is shown.
     std::fs::write(&gold, "cut off").expect("is written");
     let window = self::window(&[&fits]);
     let state = window.state().state();
     assert_eq!(shown(state), [("gold", 9.0, false)]);
-    said(state, Level::Error, "not a MERL file", &gold);
+    said(state, Severity::Error, "not a MERL file", &gold);
 
     // A fit file that names itself as its data ends too.
     let circular = only_named(&fits);
@@ -183,7 +188,7 @@ fn a_measured_file_that_is_missing_or_changed_is_named() {
     let window = self::window(&[&fits]);
     let state = window.state().state();
     assert_eq!(shown(state), [("gold", 9.0, false)]);
-    said(state, Level::Error, "not a MERL file", &fits);
+    said(state, Severity::Error, "not a MERL file", &fits);
 }
 
 #[test]
@@ -198,7 +203,7 @@ fn plain_models_open_alone_and_bad_json_is_one_line() {
     let state = window.state().state();
     assert_eq!(shown(state), [("my model", 3.0, false)]);
     assert!(!state.history.can_undo(), "the start is no step");
-    said(state, Level::Info, "my model has no measured file", &one);
+    said(state, Severity::Info, "my model has no measured file", &one);
 
     let id = window.state().state().notices[0].id;
     send(&mut window, Msg::Dismiss(id));
@@ -211,7 +216,13 @@ fn plain_models_open_alone_and_bad_json_is_one_line() {
         ("two 1", 5.0, false),
     ];
     assert_eq!(shown(state), expected);
-    let id = said(state, Level::Info, "2 models have no measured file", &two).id;
+    let id = said(
+        state,
+        Severity::Info,
+        "2 models have no measured file",
+        &two,
+    )
+    .id;
     send(&mut window, Msg::Dismiss(id));
 
     for (text, words) in [
@@ -226,7 +237,7 @@ fn plain_models_open_alone_and_bad_json_is_one_line() {
         open(&mut window, &bad);
         let state = window.state().state();
         assert_eq!(shown(state), expected);
-        let id = said(state, Level::Error, words, &bad).id;
+        let id = said(state, Severity::Error, words, &bad).id;
         send(&mut window, Msg::Dismiss(id));
     }
 }

@@ -16,9 +16,9 @@ use grazing::app::msg::fit::FitMsg;
 use grazing::app::session::file::SessionFile;
 use grazing::app::state::State;
 use grazing::app::state::layout::Tiles;
-use grazing::app::state::notice::Level;
+use grazing::app::state::notice::Severity;
 use grazing::app::state::views::ViewId;
-use grazing::app::{Options, Picker};
+use grazing::app::{Picker, WindowOptions};
 use grazing::brdf::{Fresnel, Params};
 use grazing::files::fits::FitRecord;
 use grazing::fit::{Errors, Variant};
@@ -29,7 +29,7 @@ use std::sync::{Arc, Mutex};
 /// A window whose dialogs answer with these paths.
 fn with_dialogs(files: &[&Path], open: Option<&Path>, save: Option<&Path>) -> Window {
     let [open, save] = [open, save].map(|path| path.map(Path::to_owned));
-    let mut window = window_of(Options {
+    let mut window = window_of(WindowOptions {
         files: files.iter().map(|file| file.to_path_buf()).collect(),
         picker: Picker {
             open: Arc::new(move || open.clone().into_iter().collect()),
@@ -44,7 +44,7 @@ fn with_dialogs(files: &[&Path], open: Option<&Path>, save: Option<&Path>) -> Wi
 
 /// Without tiles, as only time must pass.
 fn kept_in(folder: &Path, files: &[&Path]) -> Window {
-    let mut window = window_of(Options {
+    let mut window = window_of(WindowOptions {
         files: files.iter().map(|file| file.to_path_buf()).collect(),
         picker: nothing_picked(),
         autosave: Some(folder.to_owned()),
@@ -362,7 +362,7 @@ fn broken_sessions_leave_what_is_open_and_say_why_in_one_line() {
         settle(&mut window, |state| state.jobs.is_empty());
         let state = window.state().state();
         assert_eq!(state.notices.len(), 1, "{text}");
-        assert_eq!(state.notices[0].level, Level::Error);
+        assert_eq!(state.notices[0].level, Severity::Error);
         assert!(said(state, words).ends_with(&format!(": {}", path.display())));
         assert_eq!(data(&window), before);
         dismiss_all(&mut window);
@@ -530,7 +530,7 @@ fn a_save_that_fails_says_so_and_leaves_what_was_there() {
     // The proposed name is that of the shown material.
     let asked = Arc::new(Mutex::new(String::new()));
     let heard = Arc::clone(&asked);
-    let mut window = window_of(Options {
+    let mut window = window_of(WindowOptions {
         files: vec![],
         picker: Picker {
             save: Arc::new(move |name| {

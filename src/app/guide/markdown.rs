@@ -15,7 +15,7 @@ pub struct Span {
     pub emphasis: bool,
     /// Whether they are code.
     pub code: bool,
-    /// Where they lead.
+    /// Destination of the link that they are.
     pub link: Option<String>,
 }
 

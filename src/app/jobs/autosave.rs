@@ -1,4 +1,4 @@
-//! What is open, kept for the case that the program ends unexpectedly.
+//! Autosave: the open session, kept for the case that the program ends unexpectedly.
 //!
 //! A run has two files in the autosave folder: a lock that it holds as long as it lives, and beside it what is open.
 //! A lock that nobody holds is of a run that is gone. Both files go when a run ends as it should.
@@ -9,9 +9,9 @@ use crate::app::msg::work::Work;
 use crate::app::session::file::SessionFile;
 use crate::app::state::State;
 use crate::app::state::fitting::kept::SortBy;
-use crate::app::state::fitting::settings::Settings;
+use crate::app::state::fitting::settings::FitSettings;
 use crate::app::state::material::{MaterialId, Origin, Presence};
-use crate::app::state::notice::Level;
+use crate::app::state::notice::Severity;
 use crate::app::state::session::Crashed;
 use crate::files;
 use crate::files::FileError;
@@ -51,7 +51,7 @@ pub struct Autosave {
     ended: Arc<Mutex<bool>>,
     /// Whether a thread is writing.
     busy: Arc<AtomicBool>,
-    /// What was written last.
+    /// State that was written last.
     seen: Option<Seen>,
     /// The time of egui at which what has changed is to be written.
     due: Option<f64>,
@@ -99,7 +99,7 @@ impl Autosave {
         &self.file
     }
 
-    /// To be called once a frame: writes a little after something has changed, and wakes the window for it.
+    /// Writes a little after something has changed, and wakes the window for it. To be called once a frame.
     pub fn tick(&mut self, state: &State, ctx: &egui::Context, jobs: &Jobs) {
         let now = ctx.input(|input| input.time);
         if self.due.is_none() && is_worth_keeping(state) {
@@ -137,7 +137,7 @@ impl Autosave {
                 });
                 match written {
                     Ok(()) => remove_restored(&restored),
-                    Err(error) => send(Msg::Notify(Level::Error, error.to_string())),
+                    Err(error) => send(Msg::Notify(Severity::Error, error.to_string())),
                 }
             }
         }));
@@ -228,22 +228,22 @@ fn is_worth_keeping(state: &State) -> bool {
             .any(|material| matches!(material.origin, Origin::File(_)) || !material.fits.is_empty())
 }
 
-/// What a session is made of, to see whether it has changed.
+/// Parts of the state that a session is made of, to see whether it has changed.
 struct Seen {
     scene: crate::app::state::Scene,
     tiles: crate::app::state::layout::Tiles,
-    settings: Settings,
+    settings: FitSettings,
     keep_optimal: bool,
     sort: SortBy,
     pinned: Option<crate::app::state::probe::Probe>,
-    materials: Vec<Mark>,
+    materials: Vec<MaterialMark>,
     saved_as: Option<PathBuf>,
 }
 
 /// A material as far as it changes beside the scene: where it is, its fits by their E and tick.
-type Mark = (MaterialId, Origin, Presence, Vec<(u64, bool)>);
+type MaterialMark = (MaterialId, Origin, Presence, Vec<(u64, bool)>);
 
-fn marks(state: &State) -> impl Iterator<Item = Mark> {
+fn marks(state: &State) -> impl Iterator<Item = MaterialMark> {
     state.scene.opened.iter().filter_map(|opened| {
         let material = state.materials.get(&opened.id)?;
         // A table that comes or goes is no change.

@@ -3,7 +3,7 @@
 use crate::app::jobs::Jobs;
 use crate::app::msg::Msg;
 use crate::app::msg::work::{SendMsg, Work};
-use crate::app::state::notice::Level;
+use crate::app::state::notice::Severity;
 use crate::files;
 use crate::files::session::ENDING;
 use std::io::{self, Write};
@@ -21,7 +21,7 @@ pub const NOT_SAVED: &str = "No file dialog answered; install one: sudo apt-get 
 
 pub(crate) type SavePicker = dyn Fn(&str) -> Option<PathBuf> + Send + Sync;
 
-/// How a person is asked for files; a test hands its own.
+/// Ways to ask a person for files; a test hands its own.
 #[derive(Clone)]
 pub struct Picker {
     /// Asks for files to open; empty where cancelled.
@@ -63,14 +63,14 @@ impl Picker {
     }
 }
 
-/// What the dialog for saving says of a kind of file.
-struct Saved {
+/// Words of the dialog for saving a kind of file.
+struct SavedKind {
     ending: &'static str,
     title: &'static str,
     filter: &'static str,
 }
 
-const SAVED: [Saved; 11] = [
+const SAVED: [SavedKind; 11] = [
     saved(ENDING, "Save session", "Session"),
     saved(".json", "Save fits", "Fit file"),
     saved(".png", "Save picture", "PNG picture"),
@@ -84,8 +84,8 @@ const SAVED: [Saved; 11] = [
     saved(".glsl", "Export model", "GLSL text"),
 ];
 
-const fn saved(ending: &'static str, title: &'static str, filter: &'static str) -> Saved {
-    Saved {
+const fn saved(ending: &'static str, title: &'static str, filter: &'static str) -> SavedKind {
+    SavedKind {
         ending,
         title,
         filter,
@@ -106,7 +106,7 @@ pub fn ask<T: Send + 'static>(
         match dialog() {
             Some(answer) => answered(answer, send),
             None if asked.elapsed() < NO_DIALOG => {
-                send(Msg::Notify(Level::Error, no_answer.into()));
+                send(Msg::Notify(Severity::Error, no_answer.into()));
             }
             None => {}
         }
@@ -142,7 +142,7 @@ pub fn ask_and_do(
 /// Says what was saved, or why nothing was.
 pub fn saved_notice(saved: Result<PathBuf, String>) -> Msg {
     match saved {
-        Ok(path) => Msg::Notify(Level::Info, format!("Saved {}", path.display())),
-        Err(reason) => Msg::Notify(Level::Error, reason),
+        Ok(path) => Msg::Notify(Severity::Info, format!("Saved {}", path.display())),
+        Err(reason) => Msg::Notify(Severity::Error, reason),
     }
 }

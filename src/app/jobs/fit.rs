@@ -12,17 +12,17 @@ use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 use std::time::{Duration, Instant};
 
-/// How often the window is told how a fit goes: about once a frame.
+/// Least time between two reports of a fit to the window: about a frame.
 const BETWEEN_UPDATES: Duration = Duration::from_millis(12);
 
 /// The last fit problem, kept because the next fit and the refits of amplitudes mostly ask for the same one.
 #[derive(Default)]
-pub struct Problems(Mutex<Option<(Key, Arc<Problem>)>>);
+pub struct Problems(Mutex<Option<(ProblemKey, Arc<Problem>)>>);
 
 /// The table is known by its place in memory, which the weak reference keeps from being used again.
-struct Key(Weak<Table>, Weight, u64);
+struct ProblemKey(Weak<Table>, Weight, u64);
 
-impl PartialEq for Key {
+impl PartialEq for ProblemKey {
     fn eq(&self, other: &Self) -> bool {
         self.0.ptr_eq(&other.0) && (self.1, self.2) == (other.1, other.2)
     }
@@ -31,7 +31,7 @@ impl PartialEq for Key {
 impl Problems {
     /// The problem from the last time, or a new one. Made under the lock: whoever asks for the same one waits for it.
     fn get(&self, table: &Arc<Table>, setup: &Setup) -> Result<Arc<Problem>, ProblemError> {
-        let key = Key(Arc::downgrade(table), setup.weight, setup.limit.to_bits());
+        let key = ProblemKey(Arc::downgrade(table), setup.weight, setup.limit.to_bits());
         // What a panic left behind is still whole: each write is a single one.
         let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, problem)) = kept.as_ref().filter(|(other, _)| *other == key) {

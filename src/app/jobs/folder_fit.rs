@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// How often the bar moves: each message redraws the window.
+/// Least time between two moves of the bar: each message redraws the window.
 const BETWEEN_UPDATES: Duration = Duration::from_millis(80);
 
 /// Fits all files, a job each. The one under way when it is cancelled is thrown away.

@@ -8,7 +8,7 @@ use crate::app::session;
 use crate::app::session::places::find;
 use crate::app::state::job::CancelFlag;
 use crate::app::state::material::Origin;
-use crate::app::state::notice::Level;
+use crate::app::state::notice::Severity;
 use crate::files;
 use crate::files::fits::MaterialFits;
 use crate::files::{FileError, Json, fits};
@@ -84,7 +84,7 @@ fn read(
                 }
                 (Err(_), _) if cancel.is_set() => Err(None),
                 (Err(error), Some(fits)) => {
-                    send(Msg::Notify(Level::Error, error.to_string()));
+                    send(Msg::Notify(Severity::Error, error.to_string()));
                     Ok(Loaded::alone(fits))
                 }
                 (Err(error), None) => Err(Some(error.to_string())),
@@ -98,11 +98,11 @@ fn read(
     });
 }
 
-/// What is in a file.
+/// Content of a file.
 enum Content {
     Material(Box<Loaded>),
     Fits(Vec<MaterialFits>),
-    Session(Box<session::places::Found>),
+    Session(Box<session::places::FoundSession>),
     Folder,
 }
 

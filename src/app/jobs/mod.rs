@@ -18,7 +18,7 @@ pub mod session;
 use crate::app::jobs::sender::Sender;
 use crate::app::msg::Msg;
 use crate::app::msg::work::{OnPanic, Order, Work};
-use crate::app::state::notice::Level;
+use crate::app::state::notice::Severity;
 use std::any::Any;
 use std::collections::{HashMap, VecDeque};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -47,7 +47,7 @@ pub struct Jobs {
 
 #[derive(Default)]
 struct Shared {
-    /// How many threads run jobs.
+    /// Number of threads that run jobs.
     running: usize,
     /// Jobs that wait for the one before them, by the lane they share. A lane that is here has a thread.
     lanes: HashMap<&'static str, VecDeque<Work>>,
@@ -56,7 +56,7 @@ struct Shared {
 }
 
 impl Jobs {
-    /// Nothing runs yet.
+    /// Job system in which nothing runs yet.
     pub fn new(sender: Sender) -> Self {
         Self {
             sender,
@@ -104,7 +104,7 @@ impl Jobs {
             }
             drop(shared);
             let text = format!("Could not start a thread for {doing}: {error}.");
-            self.sender.send(Msg::Notify(Level::Error, text));
+            self.sender.send(Msg::Notify(Severity::Error, text));
         }
     }
 
@@ -126,7 +126,7 @@ impl Jobs {
         }
     }
 
-    /// The one place where a panic of a job is caught.
+    /// Runs work, and turns its panic into a message: the one place where a panic of a job is caught.
     fn run(&self, work: Work) {
         let Work {
             doing,
@@ -148,7 +148,7 @@ impl Jobs {
                 "An error of the program stopped it while {doing} ({}). The rest goes on; please report it.",
                 reason(&*payload)
             );
-            let notice = |text| send(Msg::Notify(Level::Error, text));
+            let notice = |text| send(Msg::Notify(Severity::Error, text));
             match on_panic {
                 OnPanic::Notify => notice(text),
                 OnPanic::NotifyAndSend(failed) => {
@@ -173,7 +173,7 @@ impl Jobs {
         self.lock().planted_panic = Some(doing.into());
     }
 
-    /// Every write under this lock is a single one, so what a panic leaves behind is whole.
+    /// Locks the shared state. Every write under this lock is a single one, so what a panic leaves behind is whole.
     fn lock(&self) -> MutexGuard<'_, Shared> {
         self.shared.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -211,7 +211,7 @@ mod tests {
     }
 
     fn say(text: &str) -> Msg {
-        Msg::Notify(Level::Info, text.into())
+        Msg::Notify(Severity::Info, text.into())
     }
 
     #[test]

@@ -17,7 +17,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// How many files are told at once: each message redraws the window.
+/// Number of files reported at once: each message redraws the window.
 const BATCH: usize = 32;
 /// Width and height of a thumbnail in pixels.
 pub const THUMBNAIL: usize = 72;

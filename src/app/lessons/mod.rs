@@ -22,18 +22,18 @@ pub struct Lesson {
     pub title: &'static str,
     /// One sentence.
     pub about: &'static str,
-    /// From three to six.
-    pub steps: &'static [Step],
+    /// Steps in order, from three to six.
+    pub steps: &'static [LessonStep],
 }
 
 /// A step of a lesson.
 #[derive(Debug)]
-pub struct Step {
+pub struct LessonStep {
     /// A few sentences, in the markup of [`crate::figure::text`].
     pub text: &'static str,
-    /// What is set when it begins.
+    /// Settings made when the step begins.
     pub set: &'static [Set],
-    /// What is framed.
+    /// Part of the window that is framed.
     pub look_at: LookAt,
 }
 
@@ -54,17 +54,17 @@ pub enum Set {
     Scale(RadialScale),
     /// A set of lights, by position.
     Lights(usize),
-    /// What the sphere shows.
+    /// Content of the sphere.
     Sphere(Show),
     /// Set a view to these settings.
     View(fn() -> AnySettings),
     /// Bring a tile to the front.
     Tile(ViewId),
-    /// Which stages the next fit runs, and whether it begins at the sliders.
+    /// Stages of the next fit, and whether it begins at the sliders.
     Stages(StageSet, bool),
 }
 
-/// What a step frames.
+/// Part of the window that a step frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LookAt {
     /// A tile.
@@ -79,7 +79,7 @@ pub enum LookAt {
 
 impl LessonAt {
     /// The step.
-    pub fn step(self) -> Option<&'static Step> {
+    pub fn step(self) -> Option<&'static LessonStep> {
         LESSONS.get(self.lesson)?.steps.get(self.step)
     }
 }

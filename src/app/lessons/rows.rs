@@ -1,6 +1,6 @@
 //! The lessons themselves.
 
-use crate::app::lessons::{Lesson, LookAt, Set, Step};
+use crate::app::lessons::{Lesson, LessonStep, LookAt, Set};
 use crate::app::state::view_settings::AnySettings;
 use crate::app::state::views::ViewId;
 use crate::app::views::disc::settings::DiscSettings;
@@ -16,7 +16,7 @@ pub const LESSONS: [Lesson; 4] = [
         title: "Two cosines",
         about: "Phong against Blinn-Phong: what each measures, and what it does to a highlight",
         steps: &[
-            Step {
+            LessonStep {
                 text: "Light comes in along ω_{i}; a mirror would send it out along ω_{r}. Phong asks how far the viewer \
                        ω_{o} is from ω_{r}: f_{r} falls with (ω_{r}·ω_{o})^{s}. Point at the lobe to move ω_{o}.",
                 set: &[
@@ -33,14 +33,14 @@ pub const LESSONS: [Lesson; 4] = [
                 ],
                 look_at: LookAt::Tile(ViewId::Lobes),
             },
-            Step {
+            LessonStep {
                 text: "Blinn-Phong takes the half vector ω_{h} between ω_{i} and ω_{o} and asks how far it is from the \
                        normal: (ω_{h}·n)^{s}. Near the mirror direction ω_{h} turns half as far as ω_{o}, so s has to be \
                        four times as large for the same highlight.",
                 set: &[Set::Model("blinn-phong"), Set::Param(ParamId::S, 120.0)],
                 look_at: LookAt::Model,
             },
-            Step {
+            LessonStep {
                 text: "On a sphere under a glancing light: Phong's highlight is elongated, across the plane in which \
                        the light comes in. Switch to Blinn-Phong and back: there it is circular.",
                 set: &[
@@ -51,13 +51,13 @@ pub const LESSONS: [Lesson; 4] = [
                 ],
                 look_at: LookAt::Tile(ViewId::Sphere),
             },
-            Step {
+            LessonStep {
                 text: "Now the light grazes, from behind the sphere. Phong's highlight is a wide band along the rim; \
                        Blinn-Phong's is condensed. This difference is what tells measured materials apart.",
                 set: &[Set::Lights(2)],
                 look_at: LookAt::Tile(ViewId::Sphere),
             },
-            Step {
+            LessonStep {
                 text: "Seen from above, over all view directions under light at 70°: Phong's highlight is round about \
                        ω_{r}. Switch to Blinn-Phong: it is as long in the plane of incidence, but narrower across, by \
                        cos θ_{i}. That is what condenses it on the sphere.",
@@ -75,7 +75,7 @@ pub const LESSONS: [Lesson; 4] = [
                 ],
                 look_at: LookAt::Tile(ViewId::Disc),
             },
-            Step {
+            LessonStep {
                 text: "The same in numbers: in the plane of incidence at 80° Phong keeps its shape and only turns, until \
                        the horizon cuts it off. Blinn-Phong grows towards the horizon. Try both models and drag the handle \
                        of the light.",
@@ -91,7 +91,7 @@ pub const LESSONS: [Lesson; 4] = [
         title: "Between the two",
         about: "Why the new model has α, and why its half-vector cosine has a fourth power",
         steps: &[
-            Step {
+            LessonStep {
                 text: "The combined model raises a blend of both cosines to the power s: \
                        (1 − α)(ω_{r}·ω_{o}) + α(ω_{h}·n)^{4}. At α = 0 it is Phong itself.",
                 set: &[
@@ -109,14 +109,14 @@ pub const LESSONS: [Lesson; 4] = [
                 ],
                 look_at: LookAt::Model,
             },
-            Step {
+            LessonStep {
                 text: "At α = 1 it is Blinn-Phong with exponent 4s. Look at the lobe of 5°: it is as it was. For a small \
                        angle x, cos^{4}(x/2) and cos x are the same up to x^{4}. So α does not touch the highlight seen from \
                        above, and s keeps its meaning.",
                 set: &[Set::Param(ParamId::Alpha, 1.0)],
                 look_at: LookAt::Tile(ViewId::Lobes),
             },
-            Step {
+            LessonStep {
                 text: "Drag α. What changes are the lobes at 60° and 80°: α says how a material behaves at grazing \
                        angles, and nothing else.",
                 set: &[
@@ -125,7 +125,7 @@ pub const LESSONS: [Lesson; 4] = [
                 ],
                 look_at: LookAt::Param(ParamId::Alpha),
             },
-            Step {
+            LessonStep {
                 text: "This material was made to lie between the two. The solid line is the data. Drag α until the dashed \
                        line follows it at 80°; then let the fit find it.",
                 set: &[
@@ -144,7 +144,7 @@ pub const LESSONS: [Lesson; 4] = [
         title: "Fresnel at grazing angles",
         about: "Why a highlight grows towards the horizon, and what k_s and η share",
         steps: &[
-            Step {
+            LessonStep {
                 text: "Without a Fresnel factor Phong's lobes at 30°, 60° and 80° are of one height. The measured lobes \
                        grow: a coat reflects more, the more the light grazes.",
                 set: &[
@@ -160,20 +160,20 @@ pub const LESSONS: [Lesson; 4] = [
                 ],
                 look_at: LookAt::Tile(ViewId::Lobes),
             },
-            Step {
+            LessonStep {
                 text: "The Fresnel equations give that factor for a smooth dielectric of refractive index η: R_{F} is \
                        about 4 % from above at η = 1.5 and 1 at the horizon. k_{s} was raised by 1/R_{F}(0), so the lobe seen \
                        from above is what it was.",
                 set: &[Set::Fresnel(Fresnel::Exact), Set::Param(ParamId::KS, 25.0)],
                 look_at: LookAt::Model,
             },
-            Step {
+            LessonStep {
                 text: "Drag η. Towards 1 the factor at 0° vanishes and only the product k_{s}·R_{F}(0) means anything; it \
                        stands below the sliders. The larger η, the less the lobes grow.",
                 set: &[Set::Param(ParamId::Eta, 1.2)],
                 look_at: LookAt::Param(ParamId::Eta),
             },
-            Step {
+            LessonStep {
                 text: "Schlick's approximation is a fifth power with the same value at 0°. Switch between Exact and \
                        Schlick: between 60° and 85° they part, most of all for a small η.",
                 set: &[Set::Fresnel(Fresnel::Schlick)],
@@ -185,7 +185,7 @@ pub const LESSONS: [Lesson; 4] = [
         title: "Why L1, and why stages",
         about: "What the fit minimises, how it goes on, and what a poor start does",
         steps: &[
-            Step {
+            LessonStep {
                 text: "The fit minimises the sum of |model − data|, not of squares. A few cells at the peak are a \
                        thousand times as bright as the rest: squares would fit these alone. With absolute values the broad \
                        base of the highlight decides.",
@@ -204,7 +204,7 @@ pub const LESSONS: [Lesson; 4] = [
                 ],
                 look_at: LookAt::Tile(ViewId::Lobes),
             },
-            Step {
+            LessonStep {
                 text: "Only stage 1 is ticked, and it begins at the sliders. Press Fit: for a given s, α and η the best \
                        ρ_{d} and k_{s} are found exactly. With an s this poor there is not much to win.",
                 set: &[Set::Stages(
@@ -216,14 +216,14 @@ pub const LESSONS: [Lesson; 4] = [
                 )],
                 look_at: LookAt::Fit,
             },
-            Step {
+            LessonStep {
                 text: "Now stages 1 to 3, as on the poster: ρ_{d} and k_{s}, then s, α and η, then these with k_{s}. Press \
                        Fit and watch E fall in the trace. Each stage keeps what it does not move, so ρ_{d} is still that \
                        of the poor start.",
                 set: &[Set::Stages(StageSet::POSTER, true)],
                 look_at: LookAt::Fit,
             },
-            Step {
+            LessonStep {
                 text: "With stage 4 all parameters move together, and the fit begins at several places that the data \
                        suggest. Press Fit: E falls once more, and no start is poor any longer.",
                 set: &[Set::Stages(StageSet::ALL, false)],

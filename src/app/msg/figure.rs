@@ -16,7 +16,7 @@ pub enum FigureMsg {
     Export,
 }
 
-/// What is to be done with figures outside the state.
+/// Work on figures that is done outside the state.
 #[derive(Debug)]
 pub enum FigureTask {
     /// Ask where to, and write a figure of these views.

@@ -2,7 +2,7 @@
 
 use crate::app::state::fitting::kept::SortBy;
 use crate::app::state::fitting::run::FitUpdates;
-use crate::app::state::fitting::settings::{Settings, Setup};
+use crate::app::state::fitting::settings::{FitSettings, Setup};
 use crate::app::state::job::CancelFlag;
 use crate::app::state::material::MaterialId;
 use crate::brdf::Brdf;
@@ -15,7 +15,7 @@ use std::sync::Arc;
 #[expect(missing_docs, reason = "the line over each message names its fields")]
 pub enum FitMsg {
     /// Change what the next fit is asked.
-    Settings(Settings),
+    Settings(FitSettings),
     /// The fit under way reports.
     Updates(FitUpdates),
     /// A fit ended.
@@ -41,24 +41,24 @@ pub enum FitMsg {
 /// An outcome and the seconds that it took.
 #[derive(Clone, Debug)]
 pub struct Timed {
-    /// What it brought.
+    /// Result of the fit.
     pub outcome: Outcome,
-    /// How long it took, in seconds.
+    /// Duration in seconds.
     pub seconds: f64,
 }
 
 /// A fit to be started in the background.
 #[derive(Debug)]
 pub struct FitTask {
-    /// Its number.
+    /// Number of the job.
     pub job: u64,
-    /// Of which material.
+    /// Material that is fitted.
     pub material: MaterialId,
     /// The data.
     pub table: Arc<Table>,
-    /// What is fitted; one, or several.
+    /// Variants that are fitted; one, or several.
     pub variants: Vec<Variant>,
-    /// How.
+    /// Settings of the fit.
     pub setup: Setup,
     /// Set to make it stop.
     pub cancel: CancelFlag,
@@ -67,15 +67,15 @@ pub struct FitTask {
 /// Asks for the best ρ_d and k_s of a model in the background.
 #[derive(Debug)]
 pub struct RefitAmplitudes {
-    /// Its number; newer ones win.
+    /// Number of the request; newer ones win.
     pub number: u64,
-    /// Of which material.
+    /// Material that is fitted.
     pub material: MaterialId,
     /// The data.
     pub table: Arc<Table>,
-    /// How.
+    /// Settings of the fit.
     pub setup: Setup,
-    /// For these s, α and η.
+    /// Model whose s, α and η are kept.
     pub brdf: Brdf,
     /// Whether the answer is a step of its own: no edit asked for it.
     pub as_step: bool,

@@ -3,7 +3,7 @@
 use crate::app::state::fitting::settings::Setup;
 use crate::app::state::job::{CancelFlag, Hold};
 use crate::app::state::library::Examined;
-use crate::app::state::library::listing::Sort;
+use crate::app::state::library::listing::FileSort;
 use crate::files::fits::FitRecord;
 use crate::files::folder::FileContent;
 use crate::fit::Variant;
@@ -43,12 +43,12 @@ pub enum FolderMsg {
         number: u64,
         result: Result<Vec<PathBuf>, String>,
     },
-    /// What files are, by position.
+    /// Kinds of files, by position.
     Seen {
         number: u64,
         seen: Vec<(usize, Result<FileContent, String>)>,
     },
-    /// What is in a file, by position.
+    /// Content of a measured file, by position.
     Examined {
         number: u64,
         index: usize,
@@ -59,7 +59,7 @@ pub enum FolderMsg {
     /// Change the words that are searched.
     Search(String),
     /// Change the order.
-    Sort(Sort),
+    Sort(FileSort),
 }
 
 impl From<FolderMsg> for LibraryMsg {
@@ -91,9 +91,9 @@ pub enum LibraryTask {
 #[derive(Debug)]
 #[expect(missing_docs, reason = "the line over each names its fields")]
 pub enum FolderFitUpdate {
-    /// It begins with the next file.
+    /// Name of the next file, with which the run goes on.
     File(String),
-    /// How far the present file is.
+    /// Progress of the present file, in [0, 1].
     Share(f32),
     /// A file is done.
     Done {
@@ -109,11 +109,11 @@ pub enum FolderFitUpdate {
 pub struct FolderFit {
     /// The run's.
     pub number: u64,
-    /// In this order.
+    /// Files in the order of the run.
     pub files: Vec<PathBuf>,
-    /// What is fitted to each.
+    /// Variants fitted to each file.
     pub variants: Vec<Variant>,
-    /// How.
+    /// Settings of the fits.
     pub setup: Setup,
     /// Ends it.
     pub cancel: CancelFlag,

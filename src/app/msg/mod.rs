@@ -19,7 +19,7 @@ use crate::app::msg::work::Work;
 use crate::app::state::job::CancelFlag;
 use crate::app::state::layout::Tiles;
 use crate::app::state::material::Origin;
-use crate::app::state::notice::Level;
+use crate::app::state::notice::Severity;
 use crate::app::state::prefs::Prefs;
 use crate::app::state::probe::Probe;
 use crate::app::state::subject_key::SubjectKey;
@@ -69,7 +69,7 @@ pub enum Msg {
     /// Put a parameter back to its default.
     ResetParam(ParamId),
     /// Let the channels of a colour move as one, or apart.
-    SetGrey(ParamId, bool),
+    SetLinkedChannels(ParamId, bool),
     /// A view requests a result, or a job reports on one.
     Cache(Box<dyn CacheMsg>),
     /// Go to a step of a lesson.
@@ -100,14 +100,14 @@ pub enum Msg {
     Legend { key: SubjectKey, solo: bool },
     /// Show an open material in the plots beside the shown one, or no longer.
     SetBeside(usize, bool),
-    /// What is typed in the open dialog.
+    /// Text typed in the open dialog.
     Typed(String),
     /// Show a place of the guide.
     ReadGuide(GuideAt),
     /// Close the dialog.
     CloseDialog,
     /// Say something.
-    Notify(Level, String),
+    Notify(Severity, String),
     /// Close a notice.
     Dismiss(u64),
     /// No button and no key is held: the gesture is over.
@@ -121,12 +121,12 @@ impl Msg {
     }
 }
 
-/// What a loading job brings.
+/// Result of a loading job.
 #[derive(Debug)]
 pub struct Loaded {
     /// Name on screen.
     pub name: String,
-    /// Which file it was.
+    /// File that it was read from, with its length and SHA-256.
     pub source: Option<SourceFile>,
     /// The data.
     pub table: Arc<Table>,
@@ -204,7 +204,7 @@ pub enum Task {
 /// A model to be written for other programs.
 #[derive(Debug)]
 pub struct ModelExport {
-    /// As what.
+    /// File format.
     pub format: ModelFormat,
     /// Name of the material it was laid over.
     pub material: String,

@@ -1,7 +1,7 @@
 //! Messages and tasks of sessions.
 
 use crate::app::session::file::SessionFile;
-use crate::app::session::places::Found;
+use crate::app::session::places::FoundSession;
 use crate::app::state::material::MaterialId;
 use crate::app::state::session::Crashed;
 use std::path::PathBuf;
@@ -14,7 +14,7 @@ pub enum SessionMsg {
     Read {
         job: u64,
         path: PathBuf,
-        found: Box<Found>,
+        found: Box<FoundSession>,
     },
     /// A session was written; which one, by its number.
     Saved { number: u64, path: PathBuf },

@@ -7,25 +7,25 @@ use std::fmt;
 pub type SendMsg<'a> = dyn Fn(Msg) + Sync + 'a;
 
 /// Does the work.
-pub type Run = Box<dyn FnOnce(&SendMsg) + Send>;
+pub type WorkFn = Box<dyn FnOnce(&SendMsg) + Send>;
 
 /// Work for a thread in the background, and what becomes of the state where it panics.
 pub struct Work {
-    /// What it does, in words that follow "while": "reading teflon.binary".
+    /// Activity in words that follow "while": "reading teflon.binary".
     pub doing: String,
     /// Whether it waits for others.
     pub order: Order,
-    /// Does it.
-    pub run: Run,
-    /// What becomes of the state where it panics.
+    /// Function that runs on a background thread and sends messages as it goes.
+    pub run: WorkFn,
+    /// Change of the state where it panics.
     pub on_panic: OnPanic,
 }
 
-/// What becomes of the state where work panics. A notice says it once in any case.
+/// Change of the state where work panics. A notice says it once in any case.
 pub enum OnPanic {
-    /// Nothing is left to be mended.
+    /// No change: nothing is left to be mended.
     Notify,
-    /// This takes the place of what the work would have sent at its end.
+    /// Message in place of what the work would have sent at its end.
     NotifyAndSend(Box<Msg>),
     /// A message that carries the text, and whose reducer shows it as it does with any other failure.
     Send(Box<dyn FnOnce(String) -> Msg + Send>),
@@ -34,11 +34,11 @@ pub enum OnPanic {
 /// Whether work waits for other work. A lane is a name that works share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
-    /// It waits for nothing.
+    /// Waits for nothing.
     AtOnce,
-    /// It waits for all that came before it in its lane.
+    /// Waits for all that came before it in its lane.
     InTurn(&'static str),
-    /// It waits for what runs in its lane, and takes the place of what waits there.
+    /// Waits for what runs in its lane, and takes the place of what waits there.
     Newest(&'static str),
 }
 
@@ -59,25 +59,25 @@ impl Work {
         }
     }
 
-    /// The same after all that came before it in this lane.
+    /// Work that waits for all that came before it in this lane.
     pub fn in_turn(mut self, lane: &'static str) -> Self {
         self.order = Order::InTurn(lane);
         self
     }
 
-    /// The same after what runs in this lane; what waits there is dropped.
+    /// Work that waits for what runs in this lane; what waits there is dropped.
     pub fn newest(mut self, lane: &'static str) -> Self {
         self.order = Order::Newest(lane);
         self
     }
 
-    /// The same with a message that is sent after the notice where it panics.
+    /// Work with a message that is sent after the notice where it panics.
     pub fn or_send(mut self, failed: Msg) -> Self {
         self.on_panic = OnPanic::NotifyAndSend(Box::new(failed));
         self
     }
 
-    /// The same with a message that carries the text of the notice where it panics.
+    /// Work with a message that carries the text of the notice where it panics.
     pub fn or_tell(mut self, failed: impl FnOnce(String) -> Msg + Send + 'static) -> Self {
         self.on_panic = OnPanic::Send(Box::new(failed));
         self

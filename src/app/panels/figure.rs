@@ -4,12 +4,12 @@ use crate::app::msg::Msg;
 use crate::app::msg::cache::request;
 use crate::app::msg::figure::FigureMsg;
 use crate::app::paper::figure::figure_of;
-use crate::app::paper::work::{PreviewQuery, Sheet};
+use crate::app::paper::work::{FigurePreview, PreviewQuery};
 use crate::app::state::State;
 use crate::app::state::figure::FigurePrefs;
 use crate::app::state::views::{VIEWS, ViewId};
 use crate::app::widgets::paint::pictures::paint_picture;
-use crate::export::{FORMATS, Format};
+use crate::export::{FORMATS, FigureFormat};
 use crate::figure::page::{COLUMNS, INKS, SAME_AXES};
 use crate::figure::write::POINTS_PER_MM;
 use egui::{Align2, Color32, FontId, Rect, Sense, Stroke, StrokeKind, vec2};
@@ -75,13 +75,13 @@ fn controls_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     }
 }
 
-fn help(format: Format) -> &'static str {
+fn help(format: FigureFormat) -> &'static str {
     match format {
-        Format::Svg => "Lines and text, for drawing programs and the web",
-        Format::Pdf => "Lines and text, for LaTeX",
-        Format::Png => "Pixels, for slides",
-        Format::Csv => "The numbers that are drawn",
-        Format::Exr => "A sphere alone, in linear light",
+        FigureFormat::Svg => "Lines and text, for drawing programs and the web",
+        FigureFormat::Pdf => "Lines and text, for LaTeX",
+        FigureFormat::Png => "Pixels, for slides",
+        FigureFormat::Csv => "The numbers that are drawn",
+        FigureFormat::Exr => "A sphere alone, in linear light",
     }
 }
 
@@ -234,7 +234,7 @@ fn preview_ui(ui: &mut egui::Ui, state: &State, room: egui::Vec2, out: &mut Vec<
     }
 }
 
-fn sheet_ui(ui: &egui::Ui, rect: Rect, sheet: &Sheet, fresh: bool) {
+fn sheet_ui(ui: &egui::Ui, rect: Rect, sheet: &FigurePreview, fresh: bool) {
     let size = [sheet.pixels.width as f32, sheet.pixels.height as f32];
     let scale = (rect.width() / size[0]).min(rect.height() / size[1]);
     let paper = Rect::from_center_size(rect.center(), vec2(size[0], size[1]) * scale);

@@ -5,7 +5,7 @@ use crate::app::msg::Msg;
 use crate::app::msg::fit::FitMsg;
 use crate::app::panels::{fit_result, fit_stages};
 use crate::app::state::State;
-use crate::app::state::fitting::settings::Settings;
+use crate::app::state::fitting::settings::FitSettings;
 use crate::app::widgets::paint::rich_text_job;
 use crate::brdf::params::ALL;
 use crate::brdf::{Brdf, Param};
@@ -83,7 +83,7 @@ fn head_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     });
 }
 
-fn weight_ui(ui: &mut egui::Ui, settings: &mut Settings) {
+fn weight_ui(ui: &mut egui::Ui, settings: &mut FitSettings) {
     ui.horizontal(|ui| {
         ui.label("Weight");
         let menu = egui::ComboBox::from_id_salt("weight")
@@ -118,7 +118,7 @@ fn weight_ui(ui: &mut egui::Ui, settings: &mut Settings) {
 }
 
 /// A tick per parameter; returns whether start and bounds are to be shown.
-fn free_ui(ui: &mut egui::Ui, settings: &mut Settings, brdf: &Brdf) -> bool {
+fn free_ui(ui: &mut egui::Ui, settings: &mut FitSettings, brdf: &Brdf) -> bool {
     let id = egui::Id::unique("start and bounds");
     let mut open = ui.data(|data| data.get_temp(id)).unwrap_or(false);
     ui.horizontal_wrapped(|ui| {
@@ -159,8 +159,8 @@ pub fn tick_ui(ui: &mut egui::Ui, on: &mut bool, markup: &str, name: &str) -> eg
     tick
 }
 
-/// What is seldom changed: where the fit begins, and bounds.
-fn more_ui(ui: &mut egui::Ui, settings: &mut Settings, brdf: &Brdf) {
+/// Settings that are seldom changed: where the fit begins, and bounds.
+fn more_ui(ui: &mut egui::Ui, settings: &mut FitSettings, brdf: &Brdf) {
     egui::Frame::group(ui.style()).show(ui, |ui| {
         ui.set_width(ui.available_width());
         ui.checkbox(&mut settings.from_sliders, "Start from sliders")

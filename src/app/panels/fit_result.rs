@@ -1,10 +1,10 @@
-//! What the fit under way says, or the kept one said: the result, what to know of it, the trace of E.
+//! Report of the fit under way, or of the kept one: the result, what to know of it, the trace of E.
 
 use crate::app::msg::Msg;
 use crate::app::msg::fit::FitMsg;
 use crate::app::state::State;
 use crate::app::state::fitting::kept::{KeptFit, variant_name};
-use crate::app::state::fitting::run::{Part, Run};
+use crate::app::state::fitting::run::{FitRun, Part};
 use crate::app::widgets::formula::hundredths;
 use crate::app::widgets::paint::rich_text_job;
 use crate::app::widgets::{fit_details, paint};
@@ -19,7 +19,7 @@ use egui::{Align, Layout, Sense, vec2};
 const TRACE: f32 = 92.0;
 
 /// The part of the run under way to show: the shown variant's, or the one that is being fitted.
-pub fn shown_part(state: &State) -> Option<(&Run, &Part)> {
+pub fn shown_part(state: &State) -> Option<(&FitRun, &Part)> {
     let run = state.current_run()?;
     Some((run, run.current_part()?))
 }
@@ -50,7 +50,7 @@ pub fn result_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     trace_ui(ui, updates, state.scene.selected, empty);
 }
 
-fn running_ui(ui: &mut egui::Ui, run: &Run, part: &Part) {
+fn running_ui(ui: &mut egui::Ui, run: &FitRun, part: &Part) {
     ui.horizontal(|ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.add(egui::ProgressBar::new(run.share()).desired_width(70.0));

@@ -3,7 +3,7 @@
 use crate::app::panels::fit_result::shown_part;
 use crate::app::state::State;
 use crate::app::state::fitting::run::stage_ends;
-use crate::app::state::fitting::settings::Settings;
+use crate::app::state::fitting::settings::FitSettings;
 use crate::app::widgets::formula::{hundredths, number};
 use crate::app::widgets::paint::rich_text_job;
 use crate::app::widgets::{fit_details, paint};
@@ -16,7 +16,7 @@ use egui::{Align, Layout, vec2};
 /// Room in points for what stands left of the numbers.
 const LABELS: f32 = 118.0;
 
-/// What a stage came to, or is at.
+/// Numbers of a stage, at its end or so far.
 struct StageRow {
     start: f64,
     now: f64,
@@ -49,7 +49,7 @@ fn stage_row(state: &State, stage: Stage) -> Option<StageRow> {
 }
 
 /// A row per stage: its tick, what it moves, E from start to end, evaluations.
-pub fn stages_ui(ui: &mut egui::Ui, state: &State, settings: &mut Settings) {
+pub fn stages_ui(ui: &mut egui::Ui, state: &State, settings: &mut FitSettings) {
     let width = ui.available_width();
     ui.spacing_mut().item_spacing.y = 2.0;
     ui.horizontal(|ui| {

@@ -3,7 +3,7 @@
 mod blocks;
 
 use crate::app::guide::markdown::words;
-use crate::app::guide::{BLOCKS, GuideAt, PAGES, Target, headings, target};
+use crate::app::guide::{BLOCKS, GuideAt, LinkTarget, PAGES, headings, target};
 use crate::app::msg::Msg;
 use blocks::page_ui;
 use egui::{Id, OpenUrl, ScrollArea, Ui, vec2};
@@ -12,7 +12,7 @@ use egui::{Id, OpenUrl, ScrollArea, Ui, vec2};
 const LIST_WIDTH: f32 = 178.0;
 /// The guide is no larger.
 const LARGEST: egui::Vec2 = vec2(1070.0, 760.0);
-/// What the frame and the button below the page take of the window.
+/// Width and height in points that the frame and the button below the page take of the window.
 const AROUND: egui::Vec2 = vec2(80.0, 120.0);
 
 /// Draws the page that is read, and what else there is to read.
@@ -38,8 +38,8 @@ pub fn guide_ui(ui: &mut Ui, at: GuideAt, out: &mut Vec<Msg>) {
         ui.vertical(|ui| {
             if let Some(link) = read_ui(ui, at) {
                 match target(at.page, &link) {
-                    Some(Target::Page(page, heading)) => out.push(go(page, heading)),
-                    Some(Target::Web(url)) => ui.ctx().open_url(OpenUrl::new_tab(url)),
+                    Some(LinkTarget::Page(page, heading)) => out.push(go(page, heading)),
+                    Some(LinkTarget::Web(url)) => ui.ctx().open_url(OpenUrl::new_tab(url)),
                     None => {}
                 }
             }

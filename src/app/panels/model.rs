@@ -154,7 +154,8 @@ fn param_ui(ui: &mut egui::Ui, scene: &Scene, brdf: &Brdf, row: &Param, out: &mu
     let values = brdf.params.get(row.id);
     // Colours that came from elsewhere, from a guess or an undo, are not grey because a box is ticked.
     let is_grey = values.iter().all(|value| *value == values[0]);
-    let grey = Scene::grey_index(row.id).map(|index| scene.grey[index] && is_grey);
+    let linked = scene.linked_channels.get(row.id);
+    let linked = linked.map(|linked| linked && is_grey);
     let name = ui.horizontal(|ui| {
         let text = format!("{}  {}", row.symbol, row.name);
         let job = rich_text_job(&RichText::parse(&text), 13.5, ui.visuals().text_color());
@@ -178,29 +179,29 @@ fn param_ui(ui: &mut egui::Ui, scene: &Scene, brdf: &Brdf, row: &Param, out: &mu
         if name.double_clicked() {
             out.push(Msg::ResetParam(row.id));
         }
-        if let Some(grey) = grey {
+        if let Some(linked) = linked {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                let mut linked = grey;
+                let mut ticked = linked;
                 let toggle = ui
-                    .checkbox(&mut linked, "grey")
+                    .checkbox(&mut ticked, "grey")
                     .on_hover_text("Move red, green and blue as one");
                 toggle.widget_info(|| {
                     egui::WidgetInfo::selected(
                         egui::Role::CheckBox,
                         true,
-                        grey,
+                        linked,
                         format!("{} grey", row.key),
                     )
                 });
                 if toggle.changed() {
-                    out.push(Msg::SetGrey(row.id, linked));
+                    out.push(Msg::SetLinkedChannels(row.id, ticked));
                 }
                 swatch_ui(ui, values);
             });
         }
         name
     });
-    let channels: Vec<Option<usize>> = match grey {
+    let channels: Vec<Option<usize>> = match linked {
         Some(false) => (0..values.len()).map(Some).collect(),
         _ => vec![None],
     };

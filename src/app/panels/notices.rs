@@ -2,7 +2,7 @@
 
 use crate::app::msg::Msg;
 use crate::app::state::State;
-use crate::app::state::notice::Level;
+use crate::app::state::notice::Severity;
 use egui::{Align2, Area, Frame, Id, Order, RichText};
 
 const WIDTH: f32 = 420.0;
@@ -24,8 +24,8 @@ pub fn notices_ui(ctx: &egui::Context, state: &State, out: &mut Vec<Msg>) {
                     ui.set_width(WIDTH - 16.0);
                     ui.horizontal_top(|ui| {
                         let (mark, color) = match notice.level {
-                            Level::Info => ("i", ui.visuals().hyperlink_color),
-                            Level::Error => ("!", ui.visuals().error_fg_color),
+                            Severity::Info => ("i", ui.visuals().hyperlink_color),
+                            Severity::Error => ("!", ui.visuals().error_fg_color),
                         };
                         ui.label(RichText::new(mark).color(color).strong().size(17.0));
                         ui.vertical(|ui| {

@@ -1,4 +1,4 @@
-//! What sessions ask: where a material is, and whether to restore what was open.
+//! Questions about sessions: where a material is, and whether to restore what was open.
 
 use crate::app::msg::Msg;
 use crate::app::msg::session::SessionMsg;

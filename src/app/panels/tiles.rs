@@ -38,7 +38,7 @@ pub fn tiles_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     }
 }
 
-/// What is in the tiles.
+/// Content of the tiles.
 struct TileContent<'a> {
     state: &'a State,
     out: &'a mut Vec<Msg>,

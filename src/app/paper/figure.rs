@@ -1,4 +1,4 @@
-//! What the window shows as a figure: the same views of the same subjects.
+//! Figure of the window: the shown views of the shown subjects, as a spec.
 
 use crate::app::state::State;
 use crate::app::state::views::ViewId;

@@ -7,10 +7,11 @@ use crate::app::msg::work::Work;
 use crate::app::paper::figure::{Drawable, default_name};
 use crate::app::state::State;
 use crate::app::state::cache::{Query, Update, WhenNewer};
-use crate::app::state::notice::Level;
+use crate::app::state::notice::Severity;
 use crate::app::state::views::ViewId;
 use crate::export::{
-    ExportError, FigureSpec, Format, Prepared, SubjectSource, prepare, spec_beside, write_figure,
+    ExportError, FigureFormat, FigureSpec, Prepared, SubjectSource, prepare, spec_beside,
+    write_figure,
 };
 use crate::figure::page::Page;
 use crate::figure::write::POINTS_PER_MM;
@@ -34,17 +35,17 @@ pub struct PreviewQuery {
 
 /// A figure as it will be written.
 #[derive(Debug)]
-pub struct Sheet {
+pub struct FigurePreview {
     /// The paper.
     pub pixels: Pixels,
     /// Width and height in millimetres.
     pub size_mm: [f64; 2],
-    /// How many rows of numbers it has.
+    /// Number of rows of its table of numbers.
     pub numbers: usize,
 }
 
 impl Query for PreviewQuery {
-    type Output = Result<Sheet, String>;
+    type Output = Result<FigurePreview, String>;
     const DOING: &'static str = "drawing the preview of a figure";
     const WHEN_NEWER: WhenNewer = WhenNewer::FinishFirst;
 
@@ -65,9 +66,9 @@ impl Query for PreviewQuery {
 }
 
 impl PreviewQuery {
-    fn sheet(&self, page: &Page) -> Result<Sheet, String> {
+    fn sheet(&self, page: &Page) -> Result<FigurePreview, String> {
         let mm = |points: f32| f64::from(points) / POINTS_PER_MM;
-        Ok(Sheet {
+        Ok(FigurePreview {
             pixels: pixels(&page.paper, self.dpi).map_err(|error| error.to_string())?,
             size_mm: page.paper.drawing.size.map(mm),
             numbers: page.table.rows.len(),
@@ -105,14 +106,14 @@ fn drawn(drawable: &Drawable) -> Result<Page, ExportError> {
 /// Asks where to, and writes a figure and its spec there.
 pub fn export(
     drawable: Drawable,
-    format: Format,
+    format: FigureFormat,
     name: String,
     jobs: &Jobs,
     save: &Arc<SavePicker>,
 ) {
     ask_and_do(jobs, save, name, move |path| {
         // The name may say another format than the dialog.
-        let format = Format::of_path(&path).unwrap_or(format);
+        let format = FigureFormat::of_path(&path).unwrap_or(format);
         let path = match path.extension() {
             Some(_) => path,
             None => path.with_extension(format.extension()),
@@ -136,7 +137,7 @@ pub fn export(
 }
 
 /// The name that a dialog proposes for a figure of these views.
-pub fn file_name(state: &State, views: &[ViewId], format: Format) -> String {
+pub fn file_name(state: &State, views: &[ViewId], format: FigureFormat) -> String {
     format!("{}.{}", default_name(state, views), format.extension())
 }
 
@@ -175,8 +176,8 @@ fn on_clipboard(
     jobs.start(Work::new(doing, move |send| {
         let page = drawn(&drawable).map_err(|error| error.to_string());
         send(match page.and_then(|page| put(&drawable, &page)) {
-            Ok(()) => Msg::Notify(Level::Info, format!("Copied the {what} of {view}")),
-            Err(reason) => Msg::Notify(Level::Error, format!("{view}: {reason}")),
+            Ok(()) => Msg::Notify(Severity::Info, format!("Copied the {what} of {view}")),
+            Err(reason) => Msg::Notify(Severity::Error, format!("{view}: {reason}")),
         });
     }));
 }

@@ -11,7 +11,7 @@ use crate::app::reduce::{
     edit, edit_brdf, figure, fit, folder_fit, lesson, library, opening, session, show,
 };
 use crate::app::state::State;
-use crate::app::state::fitting::settings::Settings;
+use crate::app::state::fitting::settings::FitSettings;
 use crate::app::state::layout::Tiles;
 use crate::app::state::material::Origin;
 use crate::app::state::notice::Dialog;
@@ -98,7 +98,7 @@ pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
             state.fit.settings.from_sliders = !state.fit.settings.from_sliders;
         }
         Command::UseWeight(weight) => {
-            let settings = Settings {
+            let settings = FitSettings {
                 weight,
                 ..state.fit.settings.clone()
             };

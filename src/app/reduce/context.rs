@@ -2,7 +2,7 @@
 
 use crate::app::state::Scene;
 use crate::app::state::history::History;
-use crate::app::state::notice::{Level, Notice};
+use crate::app::state::notice::{Notice, Severity};
 
 /// Notices, and numbers for what is new.
 pub(crate) struct Context<'a> {
@@ -18,7 +18,7 @@ impl Context<'_> {
     }
 
     /// Says something in the corner of the window.
-    pub fn notify(&mut self, level: Level, text: String) {
+    pub fn notify(&mut self, level: Severity, text: String) {
         let id = self.fresh_id();
         self.notices.push(Notice { id, level, text });
     }

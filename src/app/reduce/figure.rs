@@ -1,15 +1,15 @@
-//! How the state changes when a figure is made.
+//! Reducer of figures: pointing at views, choosing them, exporting.
 
 use crate::app::msg::Task;
 use crate::app::msg::figure::{FigureMsg, FigureTask};
 use crate::app::state::State;
-use crate::app::state::figure::{FigurePrefs, Views};
+use crate::app::state::figure::{FigurePrefs, FigureViews};
 use crate::app::state::notice::Dialog;
 use crate::app::state::views::ViewId;
 
 /// What figures change: the views in them, their looks, and the dialog that makes one.
 pub(crate) struct FigurePart<'a> {
-    pub views: &'a mut Views,
+    pub views: &'a mut FigureViews,
     pub prefs: &'a mut FigurePrefs,
     pub dialog: &'a mut Option<Dialog>,
 }

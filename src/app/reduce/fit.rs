@@ -1,14 +1,14 @@
-//! How the state changes when a fit starts, speaks, stops and ends.
+//! Reducer of fits: how the state changes when one starts, reports, stops and ends.
 
 use crate::app::msg::Task;
 use crate::app::msg::fit::{FitMsg, FitTask, RefitAmplitudes, Timed};
 use crate::app::reduce::{edit, edit_brdf, notify};
 use crate::app::state::State;
 use crate::app::state::fitting::kept::KeptFit;
-use crate::app::state::fitting::run::{Part, Run};
+use crate::app::state::fitting::run::{FitRun, Part};
 use crate::app::state::job::CancelFlag;
 use crate::app::state::material::{MaterialId, Opened};
-use crate::app::state::notice::Level;
+use crate::app::state::notice::Severity;
 use crate::app::state::views::ViewId;
 use crate::brdf::{Brdf, Fresnel};
 use crate::fit::{ProblemError, Variant};
@@ -35,7 +35,7 @@ pub(crate) fn apply(state: &mut State, msg: FitMsg) -> Vec<Task> {
             };
             match result {
                 Ok(outcomes) => end(state, run, outcomes),
-                Err(reason) => notify(state, Level::Error, reason),
+                Err(reason) => notify(state, Severity::Error, reason),
             }
         }
         FitMsg::Show(variant) => {
@@ -67,7 +67,7 @@ pub(crate) fn apply(state: &mut State, msg: FitMsg) -> Vec<Task> {
                 Ok(best) => take_amplitudes(state, material, &best, as_step),
                 Err(reason) => {
                     state.fit.keep_optimal = false;
-                    notify(state, Level::Error, reason.to_string());
+                    notify(state, Severity::Error, reason.to_string());
                 }
             }
         }
@@ -99,7 +99,7 @@ pub(crate) fn start(state: &mut State, all: bool) -> Vec<Task> {
         variant: *variant,
         updates: Vec::new(),
     };
-    let run = Run {
+    let run = FitRun {
         job,
         material: opened.id,
         parts: variants.iter().map(part).collect(),
@@ -140,14 +140,14 @@ pub(crate) fn stop(state: &mut State) {
 
 /// Stops the run if it moves the shown model: a person takes over.
 pub(crate) fn release_model(state: &mut State) {
-    if state.current_run().is_some_and(Run::drives_model) {
+    if state.current_run().is_some_and(FitRun::drives_model) {
         stop(state);
     }
 }
 
 /// Stops the run if it moves the model of this material, shown or not: another model is laid over it.
 pub(crate) fn release_model_of(state: &mut State, material: MaterialId) {
-    let drives = |run: &Run| run.material == material && run.drives_model();
+    let drives = |run: &FitRun| run.material == material && run.drives_model();
     if state.fit.run.as_ref().is_some_and(drives) {
         stop(state);
     }
@@ -166,14 +166,14 @@ pub(crate) fn refit(state: &mut State) -> Vec<Task> {
     ask_for_amplitudes(state, false)
 }
 
-/// The same where there was no edit.
+/// Asks for the best ρ_d and k_s of the shown model as [`refit`] does, as a step of its own where there was no edit.
 pub(crate) fn refit_as_step(state: &mut State) -> Vec<Task> {
     ask_for_amplitudes(state, true)
 }
 
 fn ask_for_amplitudes(state: &mut State, as_step: bool) -> Vec<Task> {
     // A fit under way finds them itself.
-    if !state.fit.keep_optimal || state.current_run().is_some_and(Run::drives_model) {
+    if !state.fit.keep_optimal || state.current_run().is_some_and(FitRun::drives_model) {
         return Vec::new();
     }
     refit_now(state, as_step)
@@ -214,9 +214,9 @@ pub(crate) fn forget_refits(state: &mut State) {
     state.fit.refit_taken = 0;
 }
 
-fn end(state: &mut State, run: Run, outcomes: Vec<Timed>) {
+fn end(state: &mut State, run: FitRun, outcomes: Vec<Timed>) {
     let drives = run.drives_model();
-    let Run {
+    let FitRun {
         material,
         parts,
         setup,

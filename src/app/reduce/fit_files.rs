@@ -1,4 +1,4 @@
-//! What a fit file does to the state: its models are laid over the materials that were fitted.
+//! Opening of a fit file: its models are laid over the materials that were fitted.
 
 use crate::app::msg::{Loaded, Task};
 use crate::app::reduce::opening::{add_material, load_with};
@@ -6,7 +6,7 @@ use crate::app::reduce::{edit, fit, notify};
 use crate::app::state::State;
 use crate::app::state::fitting::kept::KeptFit;
 use crate::app::state::material::{Material, MaterialId, Origin};
-use crate::app::state::notice::Level;
+use crate::app::state::notice::Severity;
 use crate::files::fits::MaterialFits;
 use crate::files::{FileError, SourceFile};
 use std::path::Path;
@@ -28,7 +28,7 @@ pub(crate) fn open(state: &mut State, path: &Path, all: Vec<MaterialFits>) -> Ve
     }
     lay_over(state, &over);
     if let Some(text) = what_is_missing(path, &without) {
-        notify(state, Level::Info, text);
+        notify(state, Severity::Info, text);
     }
     for fits in without {
         add_material(
@@ -59,7 +59,7 @@ pub(crate) fn arrived(state: &mut State, id: MaterialId, fits: &MaterialFits) {
     if then.same_data(now) == Some(false) {
         let what = format!("the data of {name} have changed since the fit");
         let text = FileError::new(&now.path, what).to_string();
-        notify(state, Level::Info, text);
+        notify(state, Severity::Info, text);
     }
 }
 

@@ -10,7 +10,7 @@ use crate::app::state::fitting::settings::Setup;
 use crate::app::state::folder_fit::{blocked, measured, model};
 use crate::app::state::job::{CancelFlag, Hold};
 use crate::app::state::library::folder_run::FolderRun;
-use crate::app::state::notice::Level;
+use crate::app::state::notice::Severity;
 use crate::brdf::Fresnel;
 use crate::files::fits::FitRecord;
 use crate::fit::{EndReason, Variant};
@@ -95,14 +95,18 @@ pub(crate) fn update(state: &mut State, number: u64, update: FolderFitUpdate) {
             let (total, failed) = (run.total, std::mem::take(&mut run.failed));
             state.library.run = None;
             match failed.first() {
-                None => notify(state, Level::Info, format!("Fitted {}.", materials(total))),
+                None => notify(
+                    state,
+                    Severity::Info,
+                    format!("Fitted {}.", materials(total)),
+                ),
                 Some(first) => {
                     let fitted = materials(total - failed.len());
                     let text = format!(
                         "Fitted {fitted}; {} could not be fitted, the first: {first}",
                         failed.len()
                     );
-                    notify(state, Level::Error, text);
+                    notify(state, Severity::Error, text);
                 }
             }
         }

@@ -1,4 +1,4 @@
-//! How the state changes from step to step of a lesson.
+//! Reducer of lessons: how the state changes from step to step.
 
 use crate::app::lessons::Set;
 use crate::app::lessons::rows::LESSONS;
@@ -6,7 +6,7 @@ use crate::app::msg::Task;
 use crate::app::reduce::opening::load;
 use crate::app::reduce::{edit, edit_brdf, set_param};
 use crate::app::state::State;
-use crate::app::state::fitting::settings::Settings;
+use crate::app::state::fitting::settings::FitSettings;
 use crate::app::state::lesson::LessonAt;
 use crate::app::state::material::Origin;
 use crate::app::views::lobes::settings::LobeSettings;
@@ -35,9 +35,9 @@ pub(crate) fn perform(state: &mut State) -> Vec<Task> {
     let all: Vec<Set> = steps.flat_map(|step| step.set).copied().collect();
     if let Some(Set::Sample(key)) = all.first() {
         match show_sample(state, key) {
-            Shown::Yes => {}
-            Shown::Soon => return Vec::new(),
-            Shown::After(task) => return vec![*task],
+            SampleShown::Yes => {}
+            SampleShown::Soon => return Vec::new(),
+            SampleShown::After(task) => return vec![*task],
         }
     }
     if let Some(at) = &mut state.lesson {
@@ -52,15 +52,15 @@ pub(crate) fn perform(state: &mut State) -> Vec<Task> {
     tasks
 }
 
-enum Shown {
+enum SampleShown {
     Yes,
     Soon,
     After(Box<Task>),
 }
 
-fn show_sample(state: &mut State, key: &str) -> Shown {
+fn show_sample(state: &mut State, key: &str) -> SampleShown {
     let Some(index) = SAMPLES.iter().position(|sample| sample.key == key) else {
-        return Shown::Yes;
+        return SampleShown::Yes;
     };
     let origin = Origin::Sample(index);
     let open = state.scene.opened.iter().position(|opened| {
@@ -70,16 +70,16 @@ fn show_sample(state: &mut State, key: &str) -> Shown {
     match open {
         Some(position) => {
             edit(state, |scene| scene.selected = position);
-            Shown::Yes
+            SampleShown::Yes
         }
         None if state
             .jobs
             .iter()
             .any(|job| job.label == SAMPLES[index].name) =>
         {
-            Shown::Soon
+            SampleShown::Soon
         }
-        None => Shown::After(Box::new(load(state, origin))),
+        None => SampleShown::After(Box::new(load(state, origin))),
     }
 }
 
@@ -113,10 +113,10 @@ fn perform_one(state: &mut State, set: Set) -> Vec<Task> {
         Set::View(settings) => edit(state, |scene| scene.views.set(settings())),
         Set::Tile(pane) => state.tiles.show(pane),
         Set::Stages(stages, from_sliders) => {
-            state.fit.settings = Settings {
+            state.fit.settings = FitSettings {
                 stages,
                 from_sliders,
-                ..Settings::default()
+                ..FitSettings::default()
             };
         }
     }

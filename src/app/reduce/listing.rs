@@ -2,8 +2,8 @@
 
 use crate::app::msg::library::FolderMsg;
 use crate::app::reduce::context::Context;
-use crate::app::state::library::{Folder, FolderFile, Kind, Library, Scan};
-use crate::app::state::notice::Level;
+use crate::app::state::library::{FileKind, Folder, FolderFile, Library, Scan};
+use crate::app::state::notice::Severity;
 use crate::files::fits::MaterialFits;
 use crate::files::folder::{FileContent, shown_name};
 use crate::fit::Variant;
@@ -25,8 +25,8 @@ pub(crate) fn apply(library: &mut Library, context: &mut Context, msg: FolderMsg
         } => {
             if let Some(file) = file_mut(library, number, index) {
                 file.kind = match result {
-                    Ok(examined) => Kind::Measured(Some(examined)),
-                    Err(reason) => Kind::Other(reason),
+                    Ok(examined) => FileKind::Measured(Some(examined)),
+                    Err(reason) => FileKind::Other(reason),
                 };
             }
         }
@@ -66,14 +66,14 @@ fn listed(
             let file = |path: PathBuf| FolderFile {
                 name: shown_name(&path),
                 path,
-                kind: Kind::Unknown,
+                kind: FileKind::Unknown,
             };
             folder.files = paths.into_iter().map(file).collect();
             folder.scan = Scan::Looking;
         }
         Err(reason) => {
             library.folder = None;
-            context.notify(Level::Error, reason);
+            context.notify(Severity::Error, reason);
         }
     }
 }
@@ -83,14 +83,14 @@ fn see(library: &mut Library, number: u64, index: usize, result: Result<FileCont
         return;
     };
     match result {
-        Ok(FileContent::Measured) => file.kind = Kind::Measured(None),
+        Ok(FileContent::Measured) => file.kind = FileKind::Measured(None),
         Ok(FileContent::Models(all)) => {
-            file.kind = Kind::Models(all.len());
+            file.kind = FileKind::Models(all.len());
             for fits in &all {
                 take_fits(library, fits);
             }
         }
-        Err(reason) => file.kind = Kind::Other(reason),
+        Err(reason) => file.kind = FileKind::Other(reason),
     }
 }
 

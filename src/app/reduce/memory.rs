@@ -1,4 +1,4 @@
-//! Which tables stay in memory: the least recently shown ones go where all take more than the limit.
+//! Reducer of memory: the tables least recently shown go where all take more than the limit.
 
 use crate::app::msg::Task;
 use crate::app::reduce::opening::start_load;

@@ -1,4 +1,4 @@
-//! The one place where the state changes: `apply(state, message) → tasks`.
+//! Reducer of the window, the one place where the state changes: `apply(state, message) → tasks`.
 
 pub mod command;
 pub(crate) mod context;
@@ -19,7 +19,7 @@ use crate::app::msg::{Msg, Task};
 use crate::app::reduce::context::{Context, Edit};
 use crate::app::reduce::opening::load;
 use crate::app::state::material::Origin;
-use crate::app::state::notice::{Dialog, Level};
+use crate::app::state::notice::{Dialog, Severity};
 use crate::app::state::subjects::Subjects;
 use crate::app::state::{Scene, State, subjects};
 use crate::brdf::{Brdf, ParamId, Params};
@@ -77,13 +77,9 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
             });
             return fit::refit(state);
         }
-        Msg::SetGrey(id, grey) => {
-            edit(state, |scene| {
-                if let Some(index) = Scene::grey_index(id) {
-                    scene.grey[index] = grey;
-                }
-            });
-            if grey {
+        Msg::SetLinkedChannels(id, linked) => {
+            edit(state, |scene| scene.linked_channels.set(id, linked));
+            if linked {
                 edit_brdf(state, |brdf| make_grey(&mut brdf.params, id));
             }
         }
@@ -177,7 +173,7 @@ pub(crate) fn edit_brdf(state: &mut State, change: impl FnOnce(&mut Brdf)) {
 }
 
 /// Says something in the corner of the window.
-pub(crate) fn notify(state: &mut State, level: Level, text: String) {
+pub(crate) fn notify(state: &mut State, level: Severity, text: String) {
     let State {
         notices, next_id, ..
     } = state;

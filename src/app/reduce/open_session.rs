@@ -1,14 +1,15 @@
-//! What opening a session does to the state.
+//! Opening of a session: its scene in place of the present one, as one step.
 
 use crate::app::msg::Task;
 use crate::app::reduce::opening::{forget_unreachable, load};
 use crate::app::reduce::{edit, fit, memory, notify};
 use crate::app::session::file::{SavedFitting, SavedKey, SavedMaterial, SavedWhat, SessionFile};
-use crate::app::session::places::{Found, Place};
+use crate::app::session::places::{FilePlace, FoundSession};
 use crate::app::state::fitting::kept::KeptFit;
-use crate::app::state::fitting::settings::Settings;
+use crate::app::state::fitting::settings::FitSettings;
+use crate::app::state::linked_channels::LinkedChannels;
 use crate::app::state::material::{Material, MaterialId, Opened, Origin, Presence};
-use crate::app::state::notice::Level;
+use crate::app::state::notice::Severity;
 use crate::app::state::probe::Probe;
 use crate::app::state::session::Missing;
 use crate::app::state::subject_key::{SubjectKey, What};
@@ -20,12 +21,12 @@ use crate::measured::Table;
 use crate::measured::samples::SAMPLES;
 use std::path::{Path, PathBuf};
 
-/// How many remarks on a file are shown one by one.
+/// Number of remarks on a file that are shown one by one.
 const REMARKS: usize = 3;
 
 /// Puts a session in place of what is open, as one step. Tiles, settings of the fit and the pinned probe are no part of
 /// the history, here as elsewhere.
-pub(crate) fn open(state: &mut State, job: u64, path: &Path, found: Found) -> Vec<Task> {
+pub(crate) fn open(state: &mut State, job: u64, path: &Path, found: FoundSession) -> Vec<Task> {
     state.jobs.retain(|other| other.id != job);
     // What a fit has found so far belongs to what is left, and comes back with it.
     fit::stop(state);
@@ -35,7 +36,7 @@ pub(crate) fn open(state: &mut State, job: u64, path: &Path, found: Found) -> Ve
     state.library.cursor = None;
     state.lesson = None;
 
-    let Found {
+    let FoundSession {
         session,
         remarks,
         places,
@@ -67,7 +68,10 @@ fn scene_of(session: &SessionFile, ids: &[MaterialId], number: u64) -> Scene {
             })
             .collect(),
         selected: session.shown,
-        grey: [session.grey.rho_d, session.grey.k_s],
+        linked_channels: LinkedChannels {
+            rho_d: session.linked_channels.rho_d,
+            k_s: session.linked_channels.k_s,
+        },
         hidden: session
             .hidden
             .iter()
@@ -90,7 +94,7 @@ fn put(state: &mut State, scene: Scene) {
     state.history.settle(&state.scene);
 }
 
-fn add(state: &mut State, path: &Path, saved: &SavedMaterial, place: Place) -> MaterialId {
+fn add(state: &mut State, path: &Path, saved: &SavedMaterial, place: FilePlace) -> MaterialId {
     let id = MaterialId(state.fresh_id());
     let key = saved.sample.as_deref();
     let sample = key.and_then(|key| SAMPLES.iter().position(|sample| sample.key == key));
@@ -168,10 +172,10 @@ fn take_the_rest(state: &mut State, session: &SessionFile) {
     }
 }
 
-fn settings(saved: &SavedFitting) -> Settings {
+fn settings(saved: &SavedFitting) -> FitSettings {
     let stages = STAGES.into_iter();
     let stages = stages.filter(|stage| saved.stages.contains(&stage.number()));
-    Settings {
+    FitSettings {
         weight: saved.weight,
         limit: saved.limit,
         stages: stages.collect(),
@@ -202,12 +206,12 @@ fn name(state: &mut State, number: u64, path: &Path, saved_as: Option<PathBuf>) 
 fn remark(state: &mut State, path: &Path, remarks: Vec<String>) {
     let more = remarks.len().saturating_sub(REMARKS);
     for text in remarks.into_iter().take(REMARKS) {
-        notify(state, Level::Info, text);
+        notify(state, Severity::Info, text);
     }
     if more > 0 {
         let what = format!("{more} more remarks on this session are not shown");
         let text = files::FileError::new(path, what).to_string();
-        notify(state, Level::Info, text);
+        notify(state, Severity::Info, text);
     }
 }
 

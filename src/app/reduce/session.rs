@@ -1,4 +1,4 @@
-//! How the state changes when sessions are saved, opened and looked for.
+//! Reducer of sessions: how the state changes when they are saved, opened and looked for.
 
 use crate::app::msg::Task;
 use crate::app::msg::session::{SessionMsg, SessionTask};

@@ -5,9 +5,9 @@ use crate::app::reduce::opening::{add_material, add_material_at, load, load_with
 use crate::app::reduce::{edit, fit_files, memory, notify};
 use crate::app::state::State;
 use crate::app::state::job::Purpose;
-use crate::app::state::library::{Kind, Pending, Preview, Target};
+use crate::app::state::library::{FileKind, Pending, PendingTarget, Preview};
 use crate::app::state::material::{MaterialId, Origin, Presence};
-use crate::app::state::notice::Level;
+use crate::app::state::notice::Severity;
 use crate::files::FileError;
 use std::path::PathBuf;
 
@@ -25,7 +25,7 @@ fn show_material(state: &mut State, index: usize) -> Vec<Task> {
         return Vec::new();
     };
     let (presence, name) = (material.presence, material.name.clone());
-    let target = Target::Material(id);
+    let target = PendingTarget::Material(id);
     if state
         .library
         .pending
@@ -53,8 +53,8 @@ fn show_material(state: &mut State, index: usize) -> Vec<Task> {
 /// Shows a file of the folder: the material where it is open, else as a preview; left open where `keep` says so.
 pub(crate) fn show_file(state: &mut State, path: PathBuf, keep: bool) -> Vec<Task> {
     match state.library.kind_of(&path) {
-        Some(Kind::Other(_)) => return Vec::new(),
-        Some(Kind::Models(_)) => {
+        Some(FileKind::Other(_)) => return Vec::new(),
+        Some(FileKind::Models(_)) => {
             state.library.cursor = Some(path.clone());
             return vec![load(state, Origin::File(path))];
         }
@@ -68,7 +68,7 @@ pub(crate) fn show_file(state: &mut State, path: PathBuf, keep: bool) -> Vec<Tas
         return show_material(state, index);
     }
     if let Some(Pending { target, .. }) = &mut state.library.pending
-        && let Target::File {
+        && let PendingTarget::File {
             path: asked_for,
             keep: kept,
         } = target
@@ -85,7 +85,7 @@ pub(crate) fn show_file(state: &mut State, path: PathBuf, keep: bool) -> Vec<Tas
         state.library.pending = Some(Pending {
             job: job.id,
             name: job.label.clone(),
-            target: Target::File { path, keep },
+            target: PendingTarget::File { path, keep },
         });
     }
     vec![task]
@@ -99,7 +99,7 @@ fn leave_open(state: &mut State, id: MaterialId) {
 /// Leaves what is shown, or about to be, open.
 pub(crate) fn keep_open(state: &mut State) {
     if let Some(Pending {
-        target: Target::File { keep, .. },
+        target: PendingTarget::File { keep, .. },
         ..
     }) = &mut state.library.pending
     {
@@ -156,21 +156,21 @@ pub(crate) fn loaded(
             }
         }
         (Purpose::Preview, Ok(loaded), Some(pending)) => preview(state, origin, loaded, &pending),
-        (Purpose::Preview, Err(Some(reason)), Some(_)) => notify(state, Level::Error, reason),
+        (Purpose::Preview, Err(Some(reason)), Some(_)) => notify(state, Severity::Error, reason),
         // Something else is asked_for by now.
         (Purpose::Preview, ..) => {}
         (Purpose::Open, Ok(loaded), _) => {
             memory::cancel_pending(state);
             add_material(state, origin, loaded);
         }
-        (Purpose::Open, Err(Some(reason)), _) => notify(state, Level::Error, reason),
+        (Purpose::Open, Err(Some(reason)), _) => notify(state, Severity::Error, reason),
         (Purpose::Open, Err(None), _) => {}
     }
 }
 
 /// Opens a file in the place of the preview before it, if that is as it was.
 fn preview(state: &mut State, origin: Origin, loaded: Loaded, pending: &Pending) {
-    let Target::File { path, keep } = &pending.target else {
+    let PendingTarget::File { path, keep } = &pending.target else {
         return;
     };
     if let (Some(now), Some(fits)) = (&loaded.source, state.library.fits.get_mut(path)) {
@@ -228,13 +228,17 @@ fn take_back(state: &mut State, id: MaterialId, job: u64, result: Result<Loaded,
                     material.name
                 );
                 state.library.fits.remove(&path);
-                notify(state, Level::Info, FileError::new(&path, what).to_string());
+                notify(
+                    state,
+                    Severity::Info,
+                    FileError::new(&path, what).to_string(),
+                );
             }
         }
         Err(Some(reason)) => {
             material.presence = Presence::Missing;
             let text = format!("{} is shown without its data: {reason}", material.name);
-            notify(state, Level::Error, text);
+            notify(state, Severity::Error, text);
         }
         Err(None) => material.presence = Presence::Evicted,
     }

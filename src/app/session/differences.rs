@@ -1,4 +1,4 @@
-//! What was not taken from a file as it stands there: what it says, against what is left of it.
+//! Differences between a file and what was taken from it: what it says, against what is left of it.
 
 use serde_json::Value;
 

@@ -30,7 +30,7 @@ pub struct SessionFile {
     pub grazing_session: u64,
     /// The program that wrote it.
     pub program: String,
-    /// Its version.
+    /// Version of that program.
     pub version: String,
     /// The session file that an autosave belongs to.
     #[serde(
@@ -42,15 +42,16 @@ pub struct SessionFile {
     pub materials: Vec<SavedMaterial>,
     /// Position of the shown one.
     pub shown: usize,
-    /// What the plots do not show.
+    /// Subjects that the plots do not show.
     pub hidden: Vec<SavedKey>,
     /// Interpolation of the tables.
     pub lookup: Lookup,
     /// Whether the channels of a colour move as one.
-    pub grey: Grey,
-    /// What the tiles are set to.
+    #[serde(rename = "grey")]
+    pub linked_channels: SavedLinkedChannels,
+    /// Settings of the views.
     pub views: SettingsMap,
-    /// What the next fit is asked.
+    /// Settings of the next fit.
     pub fit: SavedFitting,
     /// The pinned pair of directions.
     pub probe: Option<SavedProbe>,
@@ -74,7 +75,7 @@ pub struct SavedMaterial {
     pub guess: SavedBrdf,
     /// Whether the plots show it beside the shown one.
     pub beside: bool,
-    /// Its fits.
+    /// Kept fits, at most one per variant.
     pub fits: Vec<SavedFit>,
 }
 
@@ -115,7 +116,7 @@ pub struct SavedFit {
     /// The fit as fit files have it.
     #[serde(serialize_with = "write_record", deserialize_with = "read_record")]
     pub record: FitRecord,
-    /// How long it took.
+    /// Duration in seconds.
     #[serde(default)]
     pub seconds: Option<f64>,
     /// Whether its lobes are drawn beside the model's.
@@ -136,11 +137,11 @@ fn read_record<'de, D: Deserializer<'de>>(deserializer: D) -> Result<FitRecord, 
 pub struct SavedKey {
     /// Position of its material.
     pub material: usize,
-    /// What of it.
+    /// Values of it: data, model or a fit.
     pub what: SavedWhat,
 }
 
-/// Which values of a material.
+/// Values of a material: data, model or a fit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SavedWhat {
@@ -159,19 +160,19 @@ pub enum SavedWhat {
 
 /// Whether the channels of a colour move as one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Grey {
-    /// Those of ρ_d.
+#[serde(default, rename = "Grey")]
+pub struct SavedLinkedChannels {
+    /// Whether those of ρ_d do.
     pub rho_d: bool,
-    /// Those of k_s.
+    /// Whether those of k_s do.
     pub k_s: bool,
 }
 
-/// What the next fit is asked, and how the table of fits is ordered.
+/// Settings of the next fit, and the order of the table of fits.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct SavedFitting {
-    /// How much a cell counts.
+    /// Weight of the cells in E.
     pub weight: Weight,
     /// Grazing limit: degrees in the file, radians here.
     #[serde(with = "degrees")]
@@ -208,9 +209,9 @@ impl Default for SavedFitting {
 /// A pair of unit vectors in the local frame.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SavedProbe {
-    /// To the light.
+    /// Unit vector to the light.
     pub wi: DVec3,
-    /// To the viewer.
+    /// Unit vector to the viewer.
     pub wo: DVec3,
 }
 
@@ -232,7 +233,7 @@ impl SessionFile {
     }
 }
 
-/// With sorted keys, as the layout has them in no order, and without a counter that depends on what was before.
+/// Writes the layout with sorted keys, as it has them in no order, and without a counter that depends on the past.
 fn sorted<S: Serializer>(layout: &Option<Tiles>, serializer: S) -> Result<S::Ok, S::Error> {
     let mut value = serde_json::to_value(layout).map_err(serde::ser::Error::custom)?;
     if let Some(next) = value.pointer_mut("/tree/tiles/next_tile_id") {

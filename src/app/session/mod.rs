@@ -2,14 +2,14 @@
 //!
 //! ```text
 //! State ── write.rs ──▶ SessionFile (file.rs) ── text ──▶ study.grazing.json, or a file in the autosave folder
-//! text ── read.rs, sanitize.rs ──▶ SessionFile ── places.rs: which files are there ──▶ Found ── reduce/open_session.rs ──▶ State
+//! text ── read.rs, sanitize.rs ──▶ SessionFile ── places.rs: which files are there ──▶ FoundSession ── reduce/open_session.rs ──▶ State
 //! ```
 //!
 //! Opening is one edit of the scene: its materials are in it at once, and their data come one by one through the jobs
 //! that bring back what was let go ([`crate::app::state::memory`]). One that is not found stays without its data and is
 //! asked for; what lies over it is kept, and is saved again.
 //!
-//! Which session file a scene belongs to is a number in the scene, so that undo brings the name back with it.
+//! The session file that a scene belongs to is a number in the scene, so that undo brings the name back with it.
 
 pub mod differences;
 pub mod file;

@@ -1,4 +1,4 @@
-//! Which files of a session are there. Looks at the disk, so it is part of the job that reads the session.
+//! Search for the files of a session. Looks at the disk, so it is part of the job that reads the session.
 
 use crate::app::session::file::SessionFile;
 use crate::app::session::read::read;
@@ -7,21 +7,21 @@ use std::path::{Path, PathBuf};
 
 /// A session that was read, and where its files are.
 #[derive(Clone, Debug)]
-pub struct Found {
-    /// What it says.
+pub struct FoundSession {
+    /// Session as the file says it.
     pub session: SessionFile,
     /// A line on each thing that was not taken as it stands in the file.
     pub remarks: Vec<String>,
-    /// For each material.
-    pub places: Vec<Place>,
+    /// Places of the materials' files, one for each material.
+    pub places: Vec<FilePlace>,
 }
 
-/// Where the file of a material is.
+/// Place of the file of a material.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Place {
-    /// The one that is there.
+pub struct FilePlace {
+    /// File that is there.
     pub found: Option<PathBuf>,
-    /// Where it was looked for.
+    /// Paths at which it was looked for.
     pub tried: Vec<PathBuf>,
 }
 
@@ -29,7 +29,7 @@ pub struct Place {
 ///
 /// # Errors
 /// One line that says why it is no session, with the path last.
-pub fn find(path: &Path, text: &str) -> Result<Found, FileError> {
+pub fn find(path: &Path, text: &str) -> Result<FoundSession, FileError> {
     let say = |what: String| FileError::new(path, what);
     let (mut session, remarks) = read(text).map_err(say)?;
     let path = absolute(path);
@@ -37,19 +37,19 @@ pub fn find(path: &Path, text: &str) -> Result<Found, FileError> {
     let mut places = Vec::new();
     for material in &mut session.materials {
         let Some(source) = &mut material.source else {
-            places.push(Place::default());
+            places.push(FilePlace::default());
             continue;
         };
         let tried = source.places(folder);
         if source.relative.is_some() {
             source.beside = tried.first().cloned();
         }
-        places.push(Place {
+        places.push(FilePlace {
             found: tried.iter().find(|place| place.is_file()).cloned(),
             tried,
         });
     }
-    Ok(Found {
+    Ok(FoundSession {
         session,
         remarks: remarks
             .into_iter()

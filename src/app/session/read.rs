@@ -1,4 +1,4 @@
-//! From the text of a session to its data. What is not understood is left out and spoken about, the rest is taken.
+//! Reader of sessions, from text to data. What is not understood is left out and spoken about, the rest is taken.
 
 use crate::app::session::differences::differences;
 use crate::app::session::file::{SavedBrdf, SavedFit, SavedMaterial, SessionFile, VERSION};
@@ -14,7 +14,7 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::path::PathBuf;
 
-/// How many places are named in one line.
+/// Number of places that are named in one line.
 const NAMED: usize = 4;
 
 /// A session, and a line on each thing in its file that was not taken as it stands there.
@@ -76,7 +76,7 @@ impl Reader {
         self.taken(T::deserialize(value), at)
     }
 
-    /// What was read, or a remark that it was not understood.
+    /// Part that was read, or `None` and a remark that it was not understood.
     fn taken<T>(&mut self, read: serde_json::Result<T>, at: String) -> Option<T> {
         match read {
             Ok(part) => Some(part),
@@ -143,7 +143,7 @@ impl Reader {
             shown: self.part(given, "", "shown", 0),
             hidden: self.part(given, "", "hidden", Vec::new()),
             lookup: self.part(given, "", "lookup", usual.lookup),
-            grey: self.part(given, "", "grey", Default::default()),
+            linked_channels: self.part(given, "", "grey", Default::default()),
             views: self.views(given),
             fit: self.part(given, "", "fit", Default::default()),
             probe: self.part(given, "", "probe", None),

@@ -1,5 +1,5 @@
-//! The one place where what a file says is brought to what there can be: every number in its range, every position
-//! inside its list, unit vectors of length 1. What is possible stays to the last bit.
+//! Sanitising: the one place where what a file says is brought to what there can be: every number in its range, every
+//! position inside its list, unit vectors of length 1. What is possible stays to the last bit.
 
 use crate::app::session::file::{SavedFitting, SavedMaterial, SavedProbe, SavedWhat, SessionFile};
 use crate::app::state::sanitize::unit;
@@ -75,7 +75,7 @@ fn fitting(fit: &mut SavedFitting) {
         .collect::<BTreeMap<_, _>>();
 }
 
-/// Those of `all` that are `wanted`, in their order and once.
+/// Members of `all` that are `wanted`, in their order and once.
 fn keep<T: PartialEq>(all: Vec<T>, wanted: &[T]) -> Vec<T> {
     all.into_iter().filter(|one| wanted.contains(one)).collect()
 }

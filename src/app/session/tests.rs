@@ -5,7 +5,7 @@ use crate::app::msg::session::SessionMsg;
 use crate::app::reduce::apply;
 use crate::app::reduce::fit::keep_fit;
 use crate::app::session::file::SessionFile;
-use crate::app::session::places::{Found, find};
+use crate::app::session::places::{FoundSession, find};
 use crate::app::state::State;
 use crate::app::state::fitting::kept::{KeptFit, SortBy};
 use crate::app::state::material::{Material, MaterialId, Opened, Origin, Presence};
@@ -69,7 +69,7 @@ fn kept(brdf: Brdf, error: f64) -> KeptFit {
     let mut options = FitOptions::default();
     options.held.s = Some(brdf.params.s);
     options.bounds.rho_d = Some((0.0, 0.5));
-    let mut setup = crate::app::state::fitting::settings::Settings::default().setup(&brdf);
+    let mut setup = crate::app::state::fitting::settings::FitSettings::default().setup(&brdf);
     setup.options = options;
     setup.limit = 77f64.to_radians();
     let albedo = [[0.5; 3], [0.6; 3], [1.1, 0.2, 0.3]];
@@ -159,7 +159,7 @@ fn rich() -> State {
     let scene = &mut state.scene;
     scene.selected = 1;
     scene.opened[2].beside = true;
-    scene.grey = [true, false];
+    scene.linked_channels.rho_d = true;
     let fit = Variant::from(&brdf(2, Fresnel::Exact, 1.0));
     for (material, what) in [(2, What::Measured), (0, What::Fit(fit)), (1, What::Model)] {
         let material = scene.opened[material].id;
@@ -216,7 +216,7 @@ fn text(state: &State) -> String {
     session.text().expect("data that JSON has")
 }
 
-fn found(text: &str) -> Found {
+fn found(text: &str) -> FoundSession {
     find(Path::new(PATH), text).expect("a session")
 }
 
@@ -243,6 +243,15 @@ fn same(a: &str, b: &str, what: &str) {
     assert_eq!(a.len(), b.len(), "{what}");
 }
 
+#[test]
+fn linked_channels_are_grey_in_the_file() {
+    let mut state = State::default();
+    state.scene.linked_channels.rho_d = true;
+    let value: serde_json::Value = serde_json::from_str(&text(&state)).expect("JSON");
+    let expected = serde_json::json!({ "rho_d": true, "k_s": false });
+    assert_eq!(value["grey"], expected);
+}
+
 /// Changes that a session keeps, one each.
 const CHANGES: [fn(&mut State); 26] = [
     |s| s.scene.selected = 3,
@@ -250,7 +259,7 @@ const CHANGES: [fn(&mut State); 26] = [
     |s| s.scene.opened[1].brdf.params.k_s[2] += 1e-9,
     |s| s.scene.opened[2].brdf.params.eta = 1.7,
     |s| s.scene.opened[0].beside = true,
-    |s| s.scene.grey[1] = true,
+    |s| s.scene.linked_channels.k_s = true,
     |s| s.scene.hidden.swap(0, 1),
     |s| s.scene.lookup = Lookup::Smooth,
     |s| s.scene.views.get_mut::<SphereSettings>().split = -0.5,

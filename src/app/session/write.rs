@@ -1,8 +1,8 @@
-//! From the state to the data of a session.
+//! Writer of sessions, from the state to their data.
 
 use crate::app::session::file::{
-    Grey, SavedBrdf, SavedFit, SavedFitting, SavedKey, SavedMaterial, SavedProbe, SavedWhat,
-    SessionFile, VERSION,
+    SavedBrdf, SavedFit, SavedFitting, SavedKey, SavedLinkedChannels, SavedMaterial, SavedProbe,
+    SavedWhat, SessionFile, VERSION,
 };
 use crate::app::state::State;
 use crate::app::state::fitting::FitState;
@@ -15,7 +15,7 @@ use crate::measured::samples::SAMPLES;
 use std::path::Path;
 
 impl SessionFile {
-    /// What is open now, without relative paths ([`SessionFile::place_in`]). Of a fit under way, the best so far.
+    /// Open session, without relative paths ([`SessionFile::place_in`]). Of a fit under way, the best so far.
     pub fn of(state: &State) -> Self {
         let scene = &state.scene;
         let opened = scene.opened.iter();
@@ -37,9 +37,9 @@ impl SessionFile {
                 .filter_map(|key| hidden(*key, position))
                 .collect(),
             lookup: scene.lookup,
-            grey: Grey {
-                rho_d: scene.grey[0],
-                k_s: scene.grey[1],
+            linked_channels: SavedLinkedChannels {
+                rho_d: scene.linked_channels.rho_d,
+                k_s: scene.linked_channels.k_s,
             },
             views: scene.views.clone(),
             fit: fitting(&state.fit),
@@ -48,7 +48,7 @@ impl SessionFile {
         }
     }
 
-    /// The same with the paths from the folder of the session file on.
+    /// Session with its paths from the folder of the session file on.
     pub fn placed(mut self, file: &Path) -> Self {
         if let Some(folder) = crate::files::absolute(file).parent() {
             self.place_in(folder);

@@ -1,4 +1,4 @@
-//! What there is to know of a view without drawing it.
+//! Row of a view: what there is to know of it without drawing it.
 
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::SettingsKind;
@@ -6,29 +6,29 @@ use crate::app::state::view_settings::SettingsKind;
 /// The half of the default layout in which a view is at first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Home {
-    /// With the sphere.
+    /// Upper half, with the sphere.
     Upper,
-    /// With the lobes.
+    /// Lower half, with the lobes.
     Lower,
 }
 
-/// When a figure can show a view.
+/// Condition under which a figure can show a view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OnPaper {
-    /// It cannot.
+    /// Never.
     Never,
-    /// Where a material is open.
+    /// Some material is open.
     Always,
-    /// Where the shown material has data.
+    /// The shown material has data.
     WithData,
-    /// Where some material has a fit of the combined model.
+    /// Some material has a fit of the combined model.
     WithCombinedFits,
 }
 
-/// What there is to know about a view without drawing it.
+/// Row of a view: what there is to know about it without drawing it.
 #[derive(Debug)]
 pub struct About {
-    /// Which one.
+    /// Identity of the view.
     pub id: ViewId,
     /// Name in ids and file names.
     pub key: &'static str,
@@ -36,11 +36,11 @@ pub struct About {
     pub name: &'static str,
     /// Three lines behind its "?".
     pub help: [&'static str; 3],
-    /// Where it is at first.
+    /// Half of the default layout in which it is at first.
     pub home: Home,
-    /// When a figure can show it.
+    /// Condition under which a figure can show it.
     pub on_paper: OnPaper,
-    /// How its settings are made and read; `None` where it has none.
+    /// Kind of its settings; `None` where it has none.
     pub settings: Option<SettingsKind>,
 }
 

@@ -16,10 +16,10 @@ pub trait Query: Clone + PartialEq + fmt::Debug + Send + Sync + 'static {
     /// The result.
     type Output: fmt::Debug + Send + Sync + 'static;
 
-    /// What the job does, in words that follow "while": "computing the albedo".
+    /// Activity of the job in words that follow "while": "computing the albedo".
     const DOING: &'static str;
 
-    /// What becomes of a job when a newer query comes.
+    /// Fate of a running job when a newer query comes.
     const WHEN_NEWER: WhenNewer;
 
     /// Computes the result on a thread in the background; `None` where it cannot be computed. `report` shows progress
@@ -30,12 +30,12 @@ pub trait Query: Clone + PartialEq + fmt::Debug + Send + Sync + 'static {
     ) -> Option<Self::Output>;
 }
 
-/// What becomes of a running job when a newer query comes.
+/// Fate of a running job when a newer query comes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WhenNewer {
-    /// It is cancelled: right for seconds of work.
+    /// Cancelled: right for seconds of work.
     Cancel,
-    /// It ends first, then the newest follows: right for what takes no longer than a few frames, as a slider that is
+    /// Ended first, then the newest follows: right for what takes no longer than a few frames, as a slider that is
     /// dragged would otherwise never see a result.
     FinishFirst,
 }
@@ -43,7 +43,7 @@ pub enum WhenNewer {
 /// A report of a job under way.
 #[derive(Debug)]
 pub enum Update<T> {
-    /// Its progress, in [0, 1].
+    /// Progress of the job, in [0, 1].
     Progress(f32),
     /// A result that is shown until a better one comes.
     Partial(T),
@@ -54,7 +54,7 @@ pub enum Update<T> {
 pub struct Cache<Q: Query> {
     result: Option<(Q, Arc<Q::Output>)>,
     running: Option<Running<Q>>,
-    /// To be computed when the running job has ended.
+    /// Query to be computed when the running job has ended.
     next: Option<Q>,
     /// Stopped by hand, or impossible: not computed again by merely looking at it.
     stopped: Option<Q>,

@@ -1,7 +1,7 @@
 //! Settings of figures, and the views that go into one.
 
 use crate::app::state::views::ViewId;
-use crate::export::Format;
+use crate::export::FigureFormat;
 use crate::figure::page::Style;
 use serde::{Deserialize, Serialize};
 
@@ -9,10 +9,10 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct FigurePrefs {
-    /// How it looks.
+    /// Look on paper.
     pub style: Style,
-    /// What it is written as.
-    pub format: Format,
+    /// File format.
+    pub format: FigureFormat,
     /// Panels beside each other.
     pub columns: usize,
 }
@@ -21,19 +21,19 @@ impl Default for FigurePrefs {
     fn default() -> Self {
         Self {
             style: Style::default(),
-            format: Format::default(),
+            format: FigureFormat::default(),
             columns: 2,
         }
     }
 }
 
-/// Which view the pointer is on, and which ones go into a figure.
+/// Views under the pointer, and those that go into a figure.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Views {
+pub struct FigureViews {
     /// Under the pointer.
     pub pointed: Option<ViewId>,
     /// The last one that was.
     pub last: Option<ViewId>,
-    /// Those in the figure that is being made, in its order.
+    /// Views in the figure that is being made, in its order.
     pub chosen: Vec<ViewId>,
 }

@@ -2,7 +2,7 @@
 
 use crate::app::state::State;
 use crate::app::state::fitting::kept::KeptFit;
-use crate::app::state::fitting::run::Run;
+use crate::app::state::fitting::run::FitRun;
 use crate::fit::Variant;
 
 impl State {
@@ -13,7 +13,7 @@ impl State {
     }
 
     /// The run under way, if it is of the shown material.
-    pub fn current_run(&self) -> Option<&Run> {
+    pub fn current_run(&self) -> Option<&FitRun> {
         let opened = self.scene.opened.get(self.scene.selected)?;
         self.fit
             .run

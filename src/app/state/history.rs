@@ -1,6 +1,6 @@
 //! Undo as a stack of old states, one per gesture.
 
-/// How many steps are kept.
+/// Number of steps that are kept.
 const STEPS: usize = 200;
 
 /// The states before and after the present one.
@@ -23,7 +23,7 @@ impl<T> Default for History<T> {
 }
 
 impl<T: Clone + PartialEq> History<T> {
-    /// To be called before a change of `present`: keeps it, unless the gesture under way has done so.
+    /// Keeps `present`, unless the gesture under way has done so. To be called before a change.
     pub fn before_change(&mut self, present: &T) {
         if self.in_gesture {
             return;

@@ -8,19 +8,19 @@ use std::time::Duration;
 /// A job under way.
 #[derive(Clone, Debug)]
 pub struct Job {
-    /// Its number.
+    /// Number of the job.
     pub id: u64,
-    /// What it does, for the status bar.
+    /// Activity, for the status bar.
     pub label: String,
-    /// How far it is, in [0, 1].
+    /// Progress, in [0, 1].
     pub progress: f32,
     /// Set to make it stop.
     pub cancel: CancelFlag,
-    /// What becomes of what it brings.
+    /// Use of the material that it brings.
     pub purpose: Purpose,
 }
 
-/// What becomes of what a job brings.
+/// Use of the material that a job brings.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Purpose {
     /// A new material.

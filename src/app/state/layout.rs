@@ -5,22 +5,23 @@ use crate::app::state::views::{VIEWS, ViewId};
 use egui_tiles::{Container, Tile, Tree};
 use serde::{Deserialize, Serialize};
 
-/// To be raised when an old layout no longer makes sense; one that cannot be read is forgotten anyway.
+/// Version of the layout, to be raised when an old one makes no sense; one that cannot be read is forgotten anyway.
 const VERSION: u32 = 1;
 
 /// The tiles and where they are. A person moves them by hand.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "Saved", into = "Saved")]
+#[serde(try_from = "SavedTiles", into = "SavedTiles")]
 pub struct Tiles(Tree<ViewId>);
 
 /// The tiles as they are kept between runs.
 #[derive(Serialize, Deserialize)]
-struct Saved {
+#[serde(rename = "Saved")]
+struct SavedTiles {
     version: u32,
     tree: Tree<ViewId>,
 }
 
-impl From<Tiles> for Saved {
+impl From<Tiles> for SavedTiles {
     fn from(tiles: Tiles) -> Self {
         Self {
             version: VERSION,
@@ -29,10 +30,10 @@ impl From<Tiles> for Saved {
     }
 }
 
-impl TryFrom<Saved> for Tiles {
+impl TryFrom<SavedTiles> for Tiles {
     type Error = String;
 
-    fn try_from(saved: Saved) -> Result<Self, String> {
+    fn try_from(saved: SavedTiles) -> Result<Self, String> {
         if saved.version != VERSION {
             return Err(format!("layout version {}", saved.version));
         }
@@ -64,7 +65,7 @@ impl Tiles {
         Self(Tree::empty(tree_id()))
     }
 
-    /// Every tile in sight at once.
+    /// Layout with every tile in sight at once.
     pub fn side_by_side() -> Self {
         let panes = VIEWS.iter().map(|row| row.id).collect();
         Self(Tree::new_grid(tree_id(), panes))

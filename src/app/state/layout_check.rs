@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 /// More tiles and groups than anybody has.
 const MOST: usize = 200;
 
-/// The same tree under our id and with nothing that hangs beside it.
+/// Copy of the tree under our id and with nothing that hangs beside it.
 pub(crate) fn checked(tree: &Tree<ViewId>) -> Result<Tree<ViewId>, String> {
     let Some(root) = tree.root else {
         return Ok(Tree::empty(tree_id()));

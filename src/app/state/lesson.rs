@@ -1,6 +1,6 @@
-//! Where a learner is.
+//! Place of a learner in the lessons.
 
-/// Where a learner is.
+/// Place of a learner in the lessons.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LessonAt {
     /// Position in [`crate::app::lessons::rows::LESSONS`].

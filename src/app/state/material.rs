@@ -13,7 +13,7 @@ use std::sync::Arc;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct MaterialId(pub u64);
 
-/// Where a material comes from.
+/// Origin of a material.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Origin {
     /// A file.
@@ -29,17 +29,17 @@ pub struct Material {
     pub name: String,
     /// File or sample.
     pub origin: Origin,
-    /// Which file it was and what was in it; `None` for a sample and for a model without data.
+    /// File it was read from, with its length and SHA-256; `None` for a sample and for a model without data.
     pub source: Option<SourceFile>,
     /// The data; a table without values where they are not in memory.
     pub table: Arc<Table>,
     /// Whether `table` is the data.
     pub presence: Presence,
-    /// When it was shown last, by [`crate::app::state::library::Library::clock`].
+    /// Time at which it was shown last, by [`crate::app::state::library::Library::clock`].
     pub last_shown: u64,
     /// The first guess of a model over it, made when it was loaded.
     pub guess: Brdf,
-    /// Its fits, at most one per variant.
+    /// Kept fits, at most one per variant.
     pub fits: Vec<KeptFit>,
 }
 
@@ -49,7 +49,7 @@ impl Material {
         self.fits.iter().find(|kept| kept.variant() == variant)
     }
 
-    /// The same, to be changed.
+    /// Kept fit of a variant, to be changed.
     pub fn fit_mut(&mut self, variant: Variant) -> Option<&mut KeptFit> {
         self.fits.iter_mut().find(|kept| kept.variant() == variant)
     }
@@ -58,7 +58,7 @@ impl Material {
 /// An open material: the model over it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Opened {
-    /// Which material.
+    /// Material that the model lies over.
     pub id: MaterialId,
     /// The model that is drawn over it.
     pub brdf: Brdf,
@@ -69,14 +69,14 @@ pub struct Opened {
 /// Whether the table of a material is in memory.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Presence {
-    /// It is.
+    /// In memory.
     #[default]
     Loaded,
-    /// It was let go, and is read again when the material is shown.
+    /// Let go, and read again when the material is shown.
     Evicted,
-    /// This job reads it.
+    /// Being read by this job.
     Loading(u64),
-    /// It cannot be read again.
+    /// Not to be read again: its file is not there or cannot be read.
     Missing,
 }
 

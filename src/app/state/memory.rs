@@ -1,4 +1,4 @@
-//! Which tables are in memory: the least recently shown ones go where they take more than the limit.
+//! Tables in memory: the least recently shown ones go where all take more than the limit.
 
 use crate::app::state::State;
 use crate::app::state::material::MaterialId;
@@ -11,13 +11,13 @@ pub const MIB: u64 = 1 << 20;
 /// A table in memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Held {
-    /// Of which material.
+    /// Material whose table it is.
     pub id: MaterialId,
-    /// What it takes.
+    /// Size in bytes.
     pub bytes: u64,
     /// Whether it must stay.
     pub shown: bool,
-    /// When it was shown last.
+    /// Time at which it was shown last.
     pub last_shown: u64,
 }
 
@@ -38,7 +38,7 @@ pub fn to_evict(held: &[Held], coming: u64, limit: u64) -> Vec<MaterialId> {
     gone
 }
 
-/// What a table takes; nothing for the one that stands in where there are no data.
+/// Size of a table in bytes; 0 for the one that stands in where there are no data.
 pub fn bytes(table: &Arc<Table>) -> u64 {
     if table.valid_count() == 0 {
         return 0;
@@ -50,7 +50,7 @@ pub(crate) fn cell_bytes(grid: Grid) -> u64 {
     (grid.len() * size_of::<[f32; 3]>()) as u64
 }
 
-/// What all tables of the state take.
+/// Size of all tables of the state in bytes.
 pub fn total(state: &State) -> u64 {
     let tables = state.materials.values().map(|material| &material.table);
     tables.map(bytes).sum()

@@ -1,4 +1,4 @@
-//! Everything the window shows, as plain data. It changes in [`crate::app::reduce::apply`] only.
+//! State of the window, as plain data. It changes in [`crate::app::reduce::apply`] only.
 
 pub mod about;
 pub mod cache;
@@ -12,6 +12,7 @@ pub mod layout;
 pub mod layout_check;
 pub mod lesson;
 pub mod library;
+pub mod linked_channels;
 pub mod material;
 pub mod memory;
 pub mod notice;
@@ -31,13 +32,14 @@ pub mod view_settings;
 pub mod views;
 
 use crate::app::state::cache::Caches;
-use crate::app::state::figure::Views;
+use crate::app::state::figure::FigureViews;
 use crate::app::state::fitting::FitState;
 use crate::app::state::history::History;
 use crate::app::state::job::Job;
 use crate::app::state::layout::Tiles;
 use crate::app::state::lesson::LessonAt;
 use crate::app::state::library::Library;
+use crate::app::state::linked_channels::LinkedChannels;
 use crate::app::state::material::{Material, MaterialId, Opened};
 use crate::app::state::notice::{Dialog, Notice};
 use crate::app::state::prefs::Prefs;
@@ -45,22 +47,21 @@ use crate::app::state::probe::Probe;
 use crate::app::state::session::SessionState;
 use crate::app::state::settings_map::SettingsMap;
 use crate::app::state::subject_key::SubjectKey;
-use crate::brdf::ParamId;
 use crate::measured::lookup::Lookup;
 use std::collections::BTreeMap;
 
 /// The part of the state that undo brings back.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
-    /// Which session it belongs to: a number in [`SessionState::files`], 0 at first.
+    /// Session it belongs to: a number in [`SessionState::files`], 0 at first.
     pub session: u64,
     /// Open materials in the order of the library.
     pub opened: Vec<Opened>,
     /// Position of the shown one in `opened`.
     pub selected: usize,
-    /// Whether the three channels of a colour parameter move as one: ρ_d, k_s.
-    pub grey: [bool; 2],
-    /// What the plots do not show, though its name is in their legends.
+    /// Whether the three channels of a colour parameter move as one.
+    pub linked_channels: LinkedChannels,
+    /// Subjects that the plots do not show, though their names are in the legends.
     pub hidden: Vec<SubjectKey>,
     /// Interpolation of the table in all views.
     pub lookup: Lookup,
@@ -74,7 +75,7 @@ impl Default for Scene {
             session: 0,
             opened: Vec::new(),
             selected: 0,
-            grey: [false; 2],
+            linked_channels: LinkedChannels::default(),
             hidden: Vec::new(),
             lookup: Lookup::Smooth,
             views: SettingsMap::default(),
@@ -82,21 +83,10 @@ impl Default for Scene {
     }
 }
 
-impl Scene {
-    /// Position of a colour parameter in `grey`.
-    pub fn grey_index(id: ParamId) -> Option<usize> {
-        match id {
-            ParamId::RhoD => Some(0),
-            ParamId::KS => Some(1),
-            _ => None,
-        }
-    }
-}
-
 /// The whole state.
 #[derive(Debug, Default)]
 pub struct State {
-    /// What undo brings back.
+    /// Part of the state that undo brings back.
     pub scene: Scene,
     /// The steps.
     pub history: History<Scene>,
@@ -104,7 +94,7 @@ pub struct State {
     pub materials: BTreeMap<MaterialId, Material>,
     /// The tiles and where they are.
     pub tiles: Tiles,
-    /// What views show and cannot compute within a frame.
+    /// Results that views show and cannot compute within a frame.
     pub caches: Caches,
     /// Fits asked for and under way.
     pub fit: FitState,
@@ -117,8 +107,8 @@ pub struct State {
     /// The pair of directions that stays marked wherever the pointer goes.
     pub pinned: Option<Probe>,
     /// The views that commands and figures are about.
-    pub views: Views,
-    /// Where a learner is.
+    pub views: FigureViews,
+    /// Place of a learner in the lessons.
     pub lesson: Option<LessonAt>,
     /// Jobs under way, the oldest first.
     pub jobs: Vec<Job>,
@@ -126,9 +116,9 @@ pub struct State {
     pub notices: Vec<Notice>,
     /// The open dialog.
     pub dialog: Option<Dialog>,
-    /// What is typed in the open dialog: words of a command, or a path.
+    /// Text typed in the open dialog: words of a command, or a path.
     pub typed: String,
-    /// What is kept between runs.
+    /// Preferences, kept between runs.
     pub prefs: Prefs,
     /// Source of numbers for materials, jobs and notices.
     pub next_id: u64,

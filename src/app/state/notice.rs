@@ -2,9 +2,9 @@
 
 use crate::app::guide::GuideAt;
 
-/// How bad a notice is.
+/// Severity of a notice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Level {
+pub enum Severity {
     /// Good to know.
     Info,
     /// Something did not work.
@@ -14,10 +14,10 @@ pub enum Level {
 /// A sentence in the corner of the window, until it is closed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Notice {
-    /// Its number.
+    /// Number of the notice.
     pub id: u64,
-    /// How bad.
-    pub level: Level,
+    /// Severity.
+    pub level: Severity,
     /// One line.
     pub text: String,
 }

@@ -1,4 +1,4 @@
-//! What is kept between runs.
+//! Preferences, kept between runs.
 
 use crate::app::state::figure::FigurePrefs;
 use crate::files::path_text;
@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use std::path::PathBuf;
 
-/// What is kept between runs.
+/// Preferences, kept between runs.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Prefs {
@@ -18,13 +18,13 @@ pub struct Prefs {
     /// The folder that was open last.
     #[serde(with = "path_text")]
     pub folder: Option<PathBuf>,
-    /// How figures look.
+    /// Looks and format of figures.
     pub figure: FigurePrefs,
-    /// How much memory tables may take.
+    /// Limit of the memory for tables.
     pub memory: MemoryLimit,
 }
 
-/// How much memory tables may take, in MiB.
+/// Limit of the memory for tables, in MiB.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct MemoryLimit(pub u32);
 
@@ -35,13 +35,13 @@ impl Default for MemoryLimit {
 }
 
 impl MemoryLimit {
-    /// The same in bytes.
+    /// Limit in bytes.
     pub fn bytes(self) -> u64 {
         u64::from(self.0) * crate::app::state::memory::MIB
     }
 }
 
-/// How many recent files are kept.
+/// Number of recent files that are kept.
 const RECENT: usize = 10;
 
 impl Prefs {
@@ -56,7 +56,7 @@ impl Prefs {
 /// The look of the window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Theme {
-    /// As the system says.
+    /// Look that the system asks for.
     #[default]
     System,
     /// Light.

@@ -1,6 +1,6 @@
 //! The probe: one pair of directions that every view marks, moved by whichever view is under the pointer.
 
-use crate::figure::Mark;
+use crate::figure::ProbeMark;
 use crate::geom::{HalfDiff, Rgb, direction, directions};
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -11,14 +11,14 @@ const SAME: f64 = 2e-3;
 /// A pair of directions in the local frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Probe {
-    /// To the light.
+    /// Unit vector to the light.
     pub wi: DVec3,
-    /// To the viewer.
+    /// Unit vector to the viewer.
     pub wo: DVec3,
 }
 
 impl Probe {
-    /// In the plane of incidence with the light from the left: θi and signed θo in radians, θo positive on the right.
+    /// Probe in the plane of incidence, light from the left: θi and signed θo in radians, θo positive on the right.
     pub fn in_plane(theta_i: f64, theta_o: f64) -> Self {
         Self {
             wi: direction(theta_i, PI),
@@ -26,7 +26,7 @@ impl Probe {
         }
     }
 
-    /// From half and difference angles; `None` where a direction is below the horizon.
+    /// Probe at half and difference angles; `None` where a direction is below the horizon.
     pub fn from_angles(angles: HalfDiff) -> Option<Self> {
         let (wi, wo) = angles.to_directions();
         (wi.z >= 0.0 && wo.z >= 0.0).then_some(Self { wi, wo })
@@ -53,12 +53,12 @@ impl Probe {
         HalfDiff::from_directions(self.wi, self.wo).map(HalfDiff::folded)
     }
 
-    /// Where it is in the plane of incidence of `theta_i`, as a signed θo.
-    pub fn mark_in_plane(self, theta_i: f64) -> Mark {
+    /// Mark at its signed θo in radians, for the plane of incidence at `theta_i`; exact where the probe is there.
+    pub fn mark_in_plane(self, theta_i: f64) -> ProbeMark {
         let at = self.signed_theta_o();
         let off_plane = (self.wi.x * self.wo.y - self.wi.y * self.wo.x).abs();
         let sines = self.wi.truncate().length() * self.wo.truncate().length();
-        Mark {
+        ProbeMark {
             at,
             exact: same(self.theta_i(), theta_i) && off_plane <= SAME * sines.max(SAME),
         }

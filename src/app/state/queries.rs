@@ -10,7 +10,7 @@ use crate::files::session;
 use std::path::Path;
 
 impl State {
-    /// What is on its way to the screen, in words.
+    /// Sentence on the material that is being loaded.
     pub fn loading(&self) -> Option<String> {
         let current = || self.current().map(|(material, _)| material);
         let name = match &self.library.pending {
@@ -43,7 +43,7 @@ impl State {
         self.all_asked_for().next()
     }
 
-    /// What stands in the title of the window.
+    /// Title of the window.
     pub fn title(&self) -> String {
         match self.session.files.get(&self.scene.session) {
             Some(file) => format!("{} — Grazing", session::name(file)),

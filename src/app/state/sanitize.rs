@@ -7,7 +7,7 @@ const MOST_ANGLES: usize = 5;
 /// Values in 1/sr on an axis are below this.
 const HIGHEST: f64 = 1e12;
 
-/// At least one angle in [0, `last`] radians, at most as many as a tile offers; 60° where there is none.
+/// Brings `angles` to at least one in [0, `last`] radians, at most as many as a tile offers; 60° where there is none.
 pub fn angles(angles: &mut Vec<f64>, last: f64) {
     angles.truncate(MOST_ANGLES);
     if angles.is_empty() {

@@ -15,41 +15,41 @@ pub struct SessionState {
     pub missing: Vec<Missing>,
     /// Materials of a session whose data were not yet held against it.
     pub unread: BTreeSet<MaterialId>,
-    /// What runs that ended unexpectedly have left; the first is offered to be restored.
+    /// Files left by runs that ended unexpectedly; the first is offered to be restored.
     pub crashed: Vec<Crashed>,
-    /// What is being restored.
+    /// File that is being restored.
     pub restoring: Option<PathBuf>,
-    /// What was restored: no longer needed once the present state is kept.
+    /// Files that were restored: no longer needed once the present state is kept.
     pub restored: Vec<PathBuf>,
 }
 
 /// A material whose file was not found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Missing {
-    /// Which one.
+    /// Material that has no data.
     pub id: MaterialId,
-    /// Its file as the session names it.
+    /// File as the session names it.
     pub source: SavedSource,
-    /// Where it was looked for.
+    /// Paths at which it was looked for.
     pub tried: Vec<PathBuf>,
     /// Whether a person went on without it.
     pub skipped: bool,
 }
 
 impl SessionState {
-    /// What is known of a material that was not found.
+    /// Search for the file of a material that was not found.
     pub fn missing_one(&self, id: MaterialId) -> Option<&Missing> {
         self.missing.iter().find(|missing| missing.id == id)
     }
 }
 
-/// What a run that ended unexpectedly has left.
+/// Files left by a run that ended unexpectedly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crashed {
-    /// What was open.
+    /// Session that was open.
     pub file: PathBuf,
     /// The lock that the run held.
     pub lock: PathBuf,
-    /// How long ago it was written, where that is known.
+    /// Time since it was written, where that is known.
     pub age: Option<Duration>,
 }

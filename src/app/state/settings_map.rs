@@ -19,7 +19,7 @@ impl Default for SettingsMap {
     }
 }
 
-/// What would be wrong where a view has no settings; a test below looks at all rows.
+/// Error of a view without settings; a test below looks at all rows.
 const NO_SETTINGS: &str = "every view with settings has a row that makes them";
 
 impl SettingsMap {

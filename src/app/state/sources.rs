@@ -13,7 +13,7 @@ pub struct Sources {
 }
 
 impl Sources {
-    /// Those of the shown material.
+    /// Sources of the shown material.
     pub fn of(state: &State) -> Self {
         let Some((material, opened)) = state.current() else {
             return Self {

@@ -3,7 +3,7 @@
 use crate::app::state::material::MaterialId;
 use crate::fit::Variant;
 
-/// Which values of a material.
+/// Values of a material: data, model or a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum What {
     /// The data.
@@ -17,8 +17,8 @@ pub enum What {
 /// Names a subject as long as its material is open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SubjectKey {
-    /// Of which material.
+    /// Material of the subject.
     pub material: MaterialId,
-    /// What of it.
+    /// Values of it.
     pub what: What,
 }

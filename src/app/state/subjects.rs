@@ -14,7 +14,7 @@ use crate::fit::Variant;
 pub struct Subjects {
     /// The shown material first.
     pub list: Vec<Subject>,
-    /// Their names, in the same order.
+    /// Keys of the subjects, in the same order.
     pub keys: Vec<SubjectKey>,
 }
 

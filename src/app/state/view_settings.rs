@@ -18,7 +18,7 @@ pub trait Settings:
     fn sanitized(self) -> Self;
 }
 
-/// How settings of one type are made and read, without the type.
+/// Kind of settings: how those of one type are made and read, without the type.
 #[derive(Clone, Copy)]
 pub struct SettingsKind {
     default: fn() -> AnySettings,
@@ -146,7 +146,7 @@ impl AnySettings {
         self.0.sanitized()
     }
 
-    /// As a session keeps them.
+    /// JSON value, as a session keeps it.
     ///
     /// # Errors
     /// None that can be expected: settings are data that JSON has.

@@ -1,4 +1,4 @@
-//! What a view is in a figure: its panels, the subjects that they draw, and the name of its file.
+//! Views in a figure: their panels, the subjects that they draw, and the names of their files.
 
 use crate::app::state::State;
 use crate::app::state::material::{Material, Opened, Origin};
@@ -20,7 +20,7 @@ pub struct PaperView {
     pub name: fn(&Naming) -> Vec<String>,
 }
 
-/// What names of files are made of.
+/// Parts of the names of files.
 pub struct Naming<'a> {
     /// Views are set as here.
     pub state: &'a State,
@@ -50,7 +50,7 @@ pub fn theta_i_word(theta_i: &[f64]) -> String {
 
 /// The subjects of a figure: those of all plots, and what single views add.
 pub struct FigureSubjects<'a> {
-    /// What the window shows.
+    /// State of the window.
     pub state: &'a State,
     /// The shown material with its model.
     pub opened: Opened,
@@ -141,7 +141,7 @@ pub fn panel(view: ViewSpec, subjects: Vec<usize>) -> PanelSpec {
     }
 }
 
-/// Where the data of a material come from.
+/// Source of the data of a material; `None` for a model without data.
 fn source_of(state: &State, material: &Material) -> Option<SubjectSource> {
     let lookup = state.scene.lookup;
     match (&material.origin, &material.source) {

@@ -36,7 +36,7 @@ pub fn choice_ui<T: Copy + PartialEq>(
     sized_choice_ui(ui, name, value, choices, 92.0)
 }
 
-/// The same of a width in points.
+/// A drop-down list of a width in points, otherwise as [`choice_ui`].
 pub fn sized_choice_ui<T: Copy + PartialEq>(
     ui: &mut egui::Ui,
     name: &str,
@@ -84,7 +84,7 @@ pub fn angle_ui(
     response.changed().then(|| degrees.to_radians())
 }
 
-/// What was measured and what the model gives at a probe, beside the pointer; `head` says where that is.
+/// Measured value and value of the model at a probe, beside the pointer; `head` says where that is.
 pub fn values_tooltip(
     response: &egui::Response,
     state: &State,

@@ -13,7 +13,7 @@ use crate::geom::limits::GRAZING_THETA_DEG;
 /// Marks an albedo.
 const ABOVE_ONE: &str = "   > 1";
 
-/// What E means under a weight.
+/// Meaning of E under a weight.
 pub fn meaning(weight: Weight) -> &'static str {
     match weight {
         Weight::Cosine => "E: the share of reflected energy that is misplaced under uniform light.",
@@ -78,7 +78,7 @@ pub fn details_ui(ui: &mut egui::Ui, state: &State, kept: &KeptFit) {
     concerns_ui(ui, kept);
 }
 
-/// What to know before trusting the parameters.
+/// Concerns to know before trusting the parameters.
 pub fn concerns_ui(ui: &mut egui::Ui, kept: &KeptFit) {
     for concern in &kept.outcome.concerns {
         let text = egui::RichText::new(concern.text())

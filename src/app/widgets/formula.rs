@@ -14,7 +14,7 @@ pub fn symbolic(brdf: &Brdf) -> String {
     )
 }
 
-/// The same with the numbers in; colours as (R, G, B), or one number where they are grey.
+/// `f_r = …` with the numbers in; colours as (R, G, B), or one number where they are grey.
 pub fn numeric(brdf: &Brdf) -> String {
     let mut lobe = brdf.model.formula.to_string();
     for row in brdf.model.params.iter().filter(|row| !row.id.is_color()) {

@@ -1,21 +1,21 @@
-//! What the tiles with a heat map share: painting it, and the gestures that move what is in sight.
+//! Heat maps of tiles: painting them, and the gestures that move what is in sight.
 
 use crate::app::widgets::paint;
-use crate::figure::heatmap::{Field, HeatMap, HeatSpec, View};
+use crate::figure::heatmap::{HeatField, HeatMap, HeatSpec, HeatView};
 use crate::figure::palette::Palette;
 use egui::{CursorIcon, PointerButton, Rect, Response, Sense, Vec2};
 
 /// A heat map on screen.
-pub struct OnScreen {
-    /// What is drawn.
+pub struct HeatOnScreen {
+    /// Heat map that is drawn.
     pub map: HeatMap,
     /// Over all of it.
     pub response: Response,
 }
 
-/// How many points of the wheel make something e times larger.
+/// Points of the wheel that make something e times larger.
 const WHEEL: f64 = 240.0;
-/// How much an old picture keeps of its colours while the next one is made.
+/// Opacity of an old picture while the next one is made.
 pub const DIMMED: f32 = 0.45;
 
 /// Draws a heat map into what is left of the tile.
@@ -23,9 +23,9 @@ pub fn heat_ui(
     ui: &mut egui::Ui,
     name: &str,
     spec: &HeatSpec,
-    field: &Field,
+    field: &HeatField,
     dimmed: bool,
-) -> OnScreen {
+) -> HeatOnScreen {
     let size = ui.available_size().max(Vec2::splat(60.0));
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, name));
@@ -36,10 +36,10 @@ pub fn heat_ui(
         painter.multiply_opacity(DIMMED);
     }
     paint::paint(&painter, rect.min, &map.drawing, &palette);
-    OnScreen { map, response }
+    HeatOnScreen { map, response }
 }
 
-impl OnScreen {
+impl HeatOnScreen {
     /// The values under the pointer, where it is over the cells and not covered.
     pub fn hovered(&self) -> Option<[f64; 2]> {
         self.under(self.response.hover_pos()?)
@@ -56,8 +56,8 @@ impl OnScreen {
         self.map.frame.locate(point.into())
     }
 
-    /// What a drag, the wheel or a double click make of the view; `None` where they leave it.
-    pub fn moved_view(&self, ui: &egui::Ui, view: View) -> Option<View> {
+    /// View after a drag, the wheel or a double click; `None` where they leave it.
+    pub fn moved_view(&self, ui: &egui::Ui, view: HeatView) -> Option<HeatView> {
         let [width, height] = self.map.frame.size();
         let mut moved = view;
         if self.response.dragged_by(PointerButton::Primary) {
@@ -78,7 +78,7 @@ impl OnScreen {
             }
         }
         if self.response.double_clicked() {
-            moved = View::default();
+            moved = HeatView::default();
         }
         (moved != view).then_some(moved)
     }

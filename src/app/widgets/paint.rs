@@ -4,7 +4,7 @@ pub mod pictures;
 
 use crate::figure::drawing::{Drawing, Item, Label, Point};
 use crate::figure::palette::{Ink, Palette, Role};
-use crate::figure::text::{Level, RichText};
+use crate::figure::text::{RichText, ScriptLevel};
 use egui::emath::Rot2;
 use egui::epaint::TextShape;
 use egui::text::{LayoutJob, TextFormat};
@@ -154,9 +154,9 @@ pub fn rich_text_job(text: &RichText, font_size: f32, color: Color32) -> LayoutJ
             font_id: FontId::proportional(run.level.relative_size() * font_size),
             color,
             valign: match run.level {
-                Level::Base => Align::Center,
-                Level::Sub => Align::BOTTOM,
-                Level::Sup => Align::TOP,
+                ScriptLevel::Base => Align::Center,
+                ScriptLevel::Sub => Align::BOTTOM,
+                ScriptLevel::Sup => Align::TOP,
             },
             ..TextFormat::default()
         };
@@ -171,8 +171,8 @@ pub fn plain(markup: &str) -> String {
         .runs
         .iter()
         .map(|run| match run.level {
-            Level::Sup => format!("^{}", run.text),
-            Level::Base | Level::Sub => run.text.clone(),
+            ScriptLevel::Sup => format!("^{}", run.text),
+            ScriptLevel::Base | ScriptLevel::Sub => run.text.clone(),
         })
         .collect()
 }

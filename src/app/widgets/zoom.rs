@@ -1,25 +1,25 @@
 //! The gestures of a plot on straight axes: the wheel zooms, a drag pans, a double click resets.
 
-use crate::figure::plot::Frame;
+use crate::figure::plot::PlotFrame;
 use crate::figure::scale::Axis;
 use egui::{PointerButton, Pos2};
 
-/// What a gesture makes of the axes.
+/// Change of the axes by a gesture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Zoom {
     /// New ends of x.
     X([f64; 2]),
     /// New ends of y.
     Y([f64; 2]),
-    /// Both axes as they were.
+    /// Reset of both axes to what they were.
     Reset,
 }
 
-/// How many points of the wheel make something e times larger.
+/// Points of the wheel that make something e times larger.
 const WHEEL: f64 = 240.0;
 
 /// The gesture on a plot, if there is one. y where the pointer is left of the frame or Ctrl is held, else x.
-pub fn gesture(ui: &egui::Ui, response: &egui::Response, frame: &Frame) -> Option<Zoom> {
+pub fn gesture(ui: &egui::Ui, response: &egui::Response, frame: &PlotFrame) -> Option<Zoom> {
     if response.double_clicked() {
         return Some(Zoom::Reset);
     }
@@ -77,7 +77,7 @@ impl Zoom {
     }
 }
 
-/// How much larger the wheel makes what it is turned over, with Ctrl or without.
+/// Factor by which the wheel enlarges what it is turned over, with Ctrl or without.
 pub fn wheel(ui: &egui::Ui) -> Option<f64> {
     let (wheel, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
     let factor = (f64::from(wheel) / WHEEL).exp() * f64::from(pinch);

@@ -4,7 +4,7 @@ use crate::brdf::Brdf;
 use crate::cli::CliError;
 use crate::cli::fit::progress::Bar;
 use crate::export::preset::PresetMaterial;
-use crate::export::{Opened, SubjectSource};
+use crate::export::{OpenedTables, SubjectSource};
 use crate::files::fits;
 use crate::files::{self, FileError};
 use crate::fit::options::NO_LIMIT;
@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// A measured file and the fits that are known of it.
-struct Found {
+struct MaterialFiles {
     path: PathBuf,
     name: String,
     models: Vec<Brdf>,
@@ -25,9 +25,9 @@ struct Found {
 pub(super) fn of_files(
     paths: &[PathBuf],
     variants: &[Variant],
-    opened: &mut Opened,
+    opened: &mut OpenedTables,
 ) -> Result<Vec<PresetMaterial>, CliError> {
-    let mut found: Vec<Found> = Vec::new();
+    let mut found: Vec<MaterialFiles> = Vec::new();
     for path in paths {
         match files::open_models(path)? {
             Some(entries) => {
@@ -49,10 +49,10 @@ pub(super) fn of_files(
 }
 
 /// The place of a file among those found, which it is added to where it is new.
-fn at<'a>(found: &'a mut Vec<Found>, path: &Path) -> &'a mut Found {
+fn at<'a>(found: &'a mut Vec<MaterialFiles>, path: &Path) -> &'a mut MaterialFiles {
     let index = found.iter().position(|found| found.path == path);
     let index = index.unwrap_or_else(|| {
-        found.push(Found {
+        found.push(MaterialFiles {
             path: path.to_owned(),
             name: files::material_name(path),
             models: Vec::new(),
@@ -63,7 +63,7 @@ fn at<'a>(found: &'a mut Vec<Found>, path: &Path) -> &'a mut Found {
 }
 
 fn add_fits(
-    found: &mut Vec<Found>,
+    found: &mut Vec<MaterialFiles>,
     path: &Path,
     fits: &fits::MaterialFits,
 ) -> Result<(), FileError> {
@@ -83,9 +83,9 @@ fn add_fits(
 }
 
 fn material(
-    found: Found,
+    found: MaterialFiles,
     variants: &[Variant],
-    opened: &mut Opened,
+    opened: &mut OpenedTables,
     bar: &mut Bar,
 ) -> Result<PresetMaterial, CliError> {
     let (table, file) = files::open_measured(&found.path, &mut |_| ControlFlow::Continue(()))?;
@@ -101,7 +101,7 @@ fn material(
 }
 
 fn models(
-    found: &Found,
+    found: &MaterialFiles,
     table: &Table,
     variants: &[Variant],
     bar: &mut Bar,

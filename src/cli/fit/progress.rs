@@ -1,4 +1,4 @@
-//! How far `grazing fit` is: one bar over all files and variants where standard error is a terminal, else nothing.
+//! Progress of `grazing fit`: one bar over all files and variants where standard error is a terminal, else nothing.
 
 use crate::fit::{FitProgress, Variant};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -14,7 +14,7 @@ pub struct Bar {
     files: usize,
     file: usize,
     name: String,
-    /// How far each variant of the file is, in [0, 1].
+    /// Progress of each variant of the file, in [0, 1].
     shares: Vec<f64>,
 }
 

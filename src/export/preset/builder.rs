@@ -1,6 +1,6 @@
 //! The rows of a preset's page, from materials and options.
 
-use super::{Options, Preset, PresetMaterial};
+use super::{Preset, PresetMaterial, PresetOptions};
 use crate::brdf::Brdf;
 use crate::export::spec::{SubjectLook, SubjectSource, SubjectSpec};
 use crate::figure::ViewSpec;
@@ -14,12 +14,12 @@ use crate::figure::sphere_image::{SphereShow, SphereSpec};
 /// A preset with what it is made for.
 pub(super) struct Builder<'a> {
     pub materials: &'a [PresetMaterial],
-    pub options: &'a Options,
+    pub options: &'a PresetOptions,
     pub preset: &'a Preset,
 }
 
 impl Builder<'_> {
-    /// Each material's data, then its models.
+    /// Subjects: each material's data, then its models.
     pub fn subjects(&self) -> Vec<SubjectSpec> {
         let (all_models, alone) = (self.preset.all_models, self.materials.len() == 1);
         let mut subjects = Vec::new();
@@ -97,7 +97,7 @@ impl Builder<'_> {
         }
     }
 
-    /// As in the poster: what was measured and the models beside each other, spheres over lobes.
+    /// Rows of the poster: what was measured and the models beside each other, spheres over lobes.
     pub fn poster(&self) -> Vec<RowSpec> {
         let mut rows = Vec::new();
         for (index, material) in self.materials.iter().enumerate() {

@@ -5,7 +5,7 @@ use crate::figure::cosine::CosineFactor;
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
 use crate::figure::scale::RadialScale;
 use crate::figure::subject::{Channel, Subject};
-use crate::figure::table::{Table, kind};
+use crate::figure::table::{DataTable, kind};
 use crate::geom::degrees::rounded;
 use std::ops::ControlFlow;
 
@@ -50,8 +50,8 @@ impl PanelView for AlbedoSpec {
 }
 
 /// Albedos of subjects, in the same order.
-fn table(channel: Channel, subjects: &[Subject], curves: &[Vec<AlbedoPoint>]) -> Table {
-    let mut table = Table::new(&[
+fn table(channel: Channel, subjects: &[Subject], curves: &[Vec<AlbedoPoint>]) -> DataTable {
+    let mut table = DataTable::new(&[
         "quantity",
         "channel",
         "curve",

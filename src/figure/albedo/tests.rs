@@ -70,7 +70,7 @@ fn rising(end: f64, size: [f32; 2]) -> AlbedoPlot {
     let (measured, model) = (points(|_| 0.5), points(|x| end * x / FRAC_PI_2));
     let curve = |points| AlbedoCurve { points, old: false };
     let spec = AlbedoSpec {
-        probe: Some(Mark {
+        probe: Some(ProbeMark {
             at: 0.3,
             exact: false,
         }),

@@ -27,14 +27,14 @@ const CORNERS: usize = 120;
 const RIM_EM: f32 = 2.3;
 
 /// Sizes and places in points.
-struct Layout {
+struct DiscLayout {
     font: f32,
     frame: DiscFrame,
     bar: ColorBar,
     title: (RichText, Point),
 }
 
-impl Layout {
+impl DiscLayout {
     fn new(spec: &DiscSpec, name: &str, colors: &ColorScale, [width, height]: [f32; 2]) -> Self {
         let font = font_size([width, height]);
         let (pad, line) = (0.6 * font, LINE_HEIGHT * font);
@@ -81,7 +81,7 @@ fn titles(spec: &DiscSpec, name: &str) -> Vec<String> {
 
 pub(super) fn draw(spec: &DiscSpec, name: &str, field: &DiscField, size: [f32; 2]) -> DiscPlot {
     let colors = field.colors(spec);
-    let layout = Layout::new(spec, name, &colors, size);
+    let layout = DiscLayout::new(spec, name, &colors, size);
     let (frame, font) = (layout.frame, layout.font);
     let mut drawing = Drawing::new(size);
     let mut placing = Placing::default();

@@ -1,7 +1,7 @@
 //! The values of a disc, cell by cell.
 
 use super::spec::DiscSpec;
-use crate::figure::heatmap::{Cell, ColorScale, Field};
+use crate::figure::heatmap::{Cell, ColorScale, HeatField};
 use crate::figure::shown::{Shown, ValueRange};
 use crate::figure::subject::Source;
 use rayon::prelude::*;
@@ -10,7 +10,7 @@ use rayon::prelude::*;
 #[derive(Clone, Debug, PartialEq)]
 pub struct DiscField {
     /// Cells of a square around the disc, from −1 to 1 both ways; those whose middle is outside the disc are blank.
-    pub cells: Field,
+    pub cells: HeatField,
     /// Ends of the values.
     pub values: ValueRange,
     /// Ends of the values that the colours are made for: of the data where the model is shown.
@@ -53,7 +53,7 @@ impl DiscSpec {
         }
     }
 
-    fn cells(&self, measured: Option<&Source>, model: Option<&Source>, side: usize) -> Field {
+    fn cells(&self, measured: Option<&Source>, model: Option<&Source>, side: usize) -> HeatField {
         let edge = |k: usize| 2.0 * k as f64 / side as f64 - 1.0;
         let edges: Vec<f64> = (0..=side).map(edge).collect();
         let middle = |k: usize| 0.5 * (edges[k] + edges[k + 1]);
@@ -69,7 +69,7 @@ impl DiscSpec {
             .with_min_len(1024)
             .map(|k| cell(k % side, k / side))
             .collect();
-        Field {
+        HeatField {
             x: edges.clone(),
             y: edges,
             cells,

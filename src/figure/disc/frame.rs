@@ -1,19 +1,19 @@
-//! Where directions are in a disc.
+//! Map between directions and points of a disc.
 
-use super::projection::Projection;
+use super::projection::DiscProjection;
 use crate::figure::drawing::Point;
-use crate::figure::heatmap::{HeatFrame, Law, Side, View};
+use crate::figure::heatmap::{HeatFrame, HeatView, Law, Side};
 use glam::DVec3;
 
 /// The disc in a drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DiscFrame {
-    /// Its middle, in points.
+    /// Middle of the disc in points: the normal.
     pub center: Point,
-    /// Its radius in points: the horizon.
+    /// Radius in points: the horizon.
     pub radius: f32,
-    /// How θo becomes a distance from the middle.
-    pub projection: Projection,
+    /// Law from θo to the distance from the middle.
+    pub projection: DiscProjection,
 }
 
 impl DiscFrame {
@@ -63,7 +63,7 @@ impl DiscFrame {
             max: self.at([1.0, -1.0]),
             x: side(),
             y: side(),
-            view: View::default(),
+            view: HeatView::default(),
         }
     }
 }

@@ -16,7 +16,7 @@ mod spec;
 
 pub use field::DiscField;
 pub use frame::DiscFrame;
-pub use projection::{PROJECTIONS, Projection};
+pub use projection::{DiscProjection, PROJECTIONS};
 pub use spec::DiscSpec;
 
 use super::drawing::Drawing;

@@ -4,7 +4,7 @@ use super::{DiscPlot, DiscSpec};
 use crate::figure::heatmap::ColorScale;
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
 use crate::figure::subject::Source;
-use crate::figure::table::Table;
+use crate::figure::table::DataTable;
 use crate::geom::direction;
 
 /// Most cells on a side of the picture.
@@ -52,8 +52,8 @@ impl PanelView for DiscSpec {
 }
 
 /// The values at every degree of θo and every third one of φo; where there is none, `value` is empty.
-fn table(spec: &DiscSpec, measured: Option<&Source>, model: Option<&Source>) -> Table {
-    let mut table = Table::new(&[
+fn table(spec: &DiscSpec, measured: Option<&Source>, model: Option<&Source>) -> DataTable {
+    let mut table = DataTable::new(&[
         "quantity", "channel", "theta_i", "phi_i", "theta_o", "phi_o", "value",
     ]);
     let light = [spec.theta_i, spec.phi_i].map(crate::geom::degrees::rounded);

@@ -7,11 +7,11 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
-/// How θ becomes a distance from the middle of a disc of radius 1, whose rim is the horizon.
+/// Law from θ to the distance from the middle of a disc of radius 1, whose rim is the horizon.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Projection {
-    /// In proportion to θ.
+pub enum DiscProjection {
+    /// Distance in proportion to θ.
     #[default]
     Linear,
     /// √2 sin(θ/2): equal solid angles have equal areas (Lambert's azimuthal projection).
@@ -19,9 +19,9 @@ pub enum Projection {
 }
 
 /// All projections in the order offered.
-pub const PROJECTIONS: [Projection; 2] = [Projection::Linear, Projection::EqualArea];
+pub const PROJECTIONS: [DiscProjection; 2] = [DiscProjection::Linear, DiscProjection::EqualArea];
 
-impl Projection {
+impl DiscProjection {
     /// Name in files.
     pub fn key(self) -> &'static str {
         keys::key_at::<Self>(self as usize)

@@ -1,8 +1,8 @@
 //! The settings of a disc, and what it shows towards one direction.
 
-use super::projection::Projection;
+use super::projection::DiscProjection;
 use crate::figure::cosine::CosineFactor;
-use crate::figure::mark::Mark;
+use crate::figure::mark::ProbeMark;
 use crate::figure::scale::RadialScale;
 use crate::figure::shown::Shown;
 use crate::figure::subject::{Channel, Source};
@@ -11,7 +11,7 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
-/// What a disc shows.
+/// Settings of a disc: light, scale, projection, colours.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct DiscSpec {
@@ -23,9 +23,9 @@ pub struct DiscSpec {
     /// φi in radians, in [0, 2π).
     #[serde(with = "degrees")]
     pub phi_i: f64,
-    /// How θo becomes a distance from the middle.
-    pub projection: Projection,
-    /// How values become colours; ratios are always by their logarithm.
+    /// Law from θo to the distance from the middle.
+    pub projection: DiscProjection,
+    /// Law from values to colours; ratios are always by their logarithm.
     pub scale: RadialScale,
     /// Channel of the values.
     pub channel: Channel,
@@ -37,7 +37,7 @@ pub struct DiscSpec {
     pub limits: Option<[f64; 2]>,
     /// θo and φo of the probe in radians.
     #[serde(skip)]
-    pub probe: Option<Mark<[f64; 2]>>,
+    pub probe: Option<ProbeMark<[f64; 2]>>,
 }
 
 impl Default for DiscSpec {
@@ -46,7 +46,7 @@ impl Default for DiscSpec {
             shown: Shown::Measured,
             theta_i: 60f64.to_radians(),
             phi_i: PI,
-            projection: Projection::Linear,
+            projection: DiscProjection::Linear,
             scale: RadialScale::Log,
             channel: Channel::Luminance,
             cosine: CosineFactor::NONE,
@@ -57,7 +57,7 @@ impl Default for DiscSpec {
 }
 
 impl DiscSpec {
-    /// To the light.
+    /// Unit vector to the light.
     pub fn wi(&self) -> DVec3 {
         let wi = direction(self.theta_i, self.phi_i);
         wi.with_z(wi.z.max(0.0))

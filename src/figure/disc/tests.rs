@@ -58,7 +58,7 @@ fn places_and_directions_are_each_others_inverse() {
 }
 
 /// Share of the disc inside θ.
-fn area(projection: Projection, theta: f64) -> f64 {
+fn area(projection: DiscProjection, theta: f64) -> f64 {
     projection.radius(theta).powi(2)
 }
 
@@ -68,9 +68,9 @@ fn equal_solid_angles_have_equal_areas_in_one_projection_and_equal_angles_equal_
     for theta in [0.5, 0.7, 1.3_f64] {
         // The solid angle inside θ is 2π (1 − cos θ), of all 2π.
         let share = 1.0 - theta.cos();
-        assert!((area(Projection::EqualArea, theta) - share).abs() < 1e-12);
-        assert!((area(Projection::Linear, theta) - share).abs() > 1e-3);
-        assert!((Projection::Linear.radius(theta) - theta / FRAC_PI_2).abs() < 1e-12);
+        assert!((area(DiscProjection::EqualArea, theta) - share).abs() < 1e-12);
+        assert!((area(DiscProjection::Linear, theta) - share).abs() > 1e-3);
+        assert!((DiscProjection::Linear.radius(theta) - theta / FRAC_PI_2).abs() < 1e-12);
     }
 }
 

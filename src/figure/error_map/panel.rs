@@ -2,10 +2,10 @@
 
 use super::{ErrorSpec, Plane};
 use crate::figure::fit_output::FitOutput;
-use crate::figure::heatmap::{HeatMap, View};
+use crate::figure::heatmap::{HeatMap, HeatView};
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView};
 use crate::figure::scale::RadialScale;
-use crate::figure::table::Table;
+use crate::figure::table::DataTable;
 use crate::geom::degrees;
 use serde::{Deserialize, Serialize};
 
@@ -13,13 +13,13 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct ErrorMapSpec {
-    /// Which axes.
+    /// Axes of the map.
     pub plane: Plane,
-    /// How shares become colours.
+    /// Law from shares to colours.
     pub scale: RadialScale,
     /// The part in sight.
-    pub view: View,
-    /// How much a cell counts: the key of a weight.
+    pub view: HeatView,
+    /// Weight of the cells in E, by its key.
     pub weight: String,
     /// Grazing limit in radians.
     #[serde(with = "degrees")]
@@ -31,7 +31,7 @@ impl Default for ErrorMapSpec {
         Self {
             plane: Plane::default(),
             scale: RadialScale::CubeRoot,
-            view: View::default(),
+            view: HeatView::default(),
             weight: "cosine".into(),
             limit: std::f64::consts::FRAC_PI_2,
         }
@@ -68,7 +68,7 @@ impl PanelView for ErrorMapSpec {
             Plane::HalfDiff => ["theta_h", "theta_d", "percent_of_e"],
         };
         PanelDrawing {
-            table: Table::of_cells(names, &field),
+            table: DataTable::of_cells(names, &field),
             axis: None,
             drawing: HeatMap::new(&heat, &field, input.size).drawing,
         }

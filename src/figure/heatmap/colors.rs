@@ -1,10 +1,10 @@
-//! From values to places on a colour map, and the ticks of the colour bar.
+//! Colour scale: from values to places on a colour map, and the ticks of the colour bar.
 
 use crate::figure::colormap::ColorMap;
 use crate::figure::scale::{Axis, RadialScale, Tick, number};
 use crate::figure::text::RichText;
 
-/// From values to colours.
+/// Law from values to places on a colour map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ColorScale {
     /// Amounts from 0, or from a floor, on.
@@ -18,7 +18,7 @@ pub enum ColorScale {
 }
 
 impl ColorScale {
-    /// Its colours.
+    /// Colour map of the scale.
     pub fn map(&self) -> ColorMap {
         match self {
             Self::Amount(_) => ColorMap::Sequential,
@@ -92,7 +92,7 @@ impl ColorScale {
     }
 }
 
-/// Both halves of a signed scale, with its middle.
+/// Ticks of both halves of a signed scale, with its middle.
 fn signed_ticks(axis: &Axis, count: usize) -> Vec<Tick> {
     let half = axis.ticks(count);
     let middle = match axis.scale {

@@ -1,17 +1,22 @@
 //! The order in which a heat map is drawn: cells, hatching, lines, frame, colour bar, marks.
 
 use super::bar::{draw_key, rectangle};
-use super::layout::{Plan, TICK};
-use super::{Cell, Curve, CurveKind, Field, HeatFrame, HeatSpec, Spot, hatch, raster};
+use super::layout::{HeatLayout, TICK};
+use super::{Cell, Curve, CurveKind, HeatField, HeatFrame, HeatSpec, HeatSpot, hatch, raster};
 use crate::figure::drawing::{Anchor, Drawing, Item, LINE_HEIGHT, Label, Point};
-use crate::figure::mark::Mark;
+use crate::figure::mark::ProbeMark;
 use crate::figure::over_colors::{self, DARK, LIGHT};
 use crate::figure::palette::{Ink, Role};
 use crate::figure::placing::Placing;
 use crate::figure::text::RichText;
 use std::f32::consts::FRAC_PI_2;
 
-pub(super) fn draw(spec: &HeatSpec, field: &Field, plan: &Plan, size: [f32; 2]) -> Drawing {
+pub(super) fn draw(
+    spec: &HeatSpec,
+    field: &HeatField,
+    plan: &HeatLayout,
+    size: [f32; 2],
+) -> Drawing {
     let mut drawing = Drawing::new(size);
     let mut placing = Placing::default();
     let frame = &plan.frame;
@@ -54,7 +59,7 @@ pub(super) fn draw(spec: &HeatSpec, field: &Field, plan: &Plan, size: [f32; 2]) 
     drawing
 }
 
-fn axes(drawing: &mut Drawing, spec: &HeatSpec, plan: &Plan) {
+fn axes(drawing: &mut Drawing, spec: &HeatSpec, plan: &HeatLayout) {
     let (frame, font) = (&plan.frame, plan.font);
     let ink = Ink::from(Role::Muted).faded(0.8);
     let ([left, top], [_, bottom]) = (frame.min, frame.max);
@@ -165,7 +170,7 @@ fn clip(a: Point, b: Point, frame: &HeatFrame) -> Option<[Point; 2]> {
 }
 
 /// The name of a curve in the middle of its longest piece, along it, where nothing else is.
-fn name_line(drawing: &mut Drawing, placing: &mut Placing, curve: &Curve, plan: &Plan) {
+fn name_line(drawing: &mut Drawing, placing: &mut Placing, curve: &Curve, plan: &HeatLayout) {
     let Some(name) = &curve.label else {
         return;
     };
@@ -194,16 +199,16 @@ fn name_line(drawing: &mut Drawing, placing: &mut Placing, curve: &Curve, plan: 
     }
 }
 
-fn mark(drawing: &mut Drawing, spot: Spot, frame: &HeatFrame) {
-    let (Spot::Probe(Mark { at, .. })
-    | Spot::Mirrored(Mark { at, .. })
-    | Spot::Here(at)
-    | Spot::Best(at)
-    | Spot::Start(at)) = spot;
+fn mark(drawing: &mut Drawing, spot: HeatSpot, frame: &HeatFrame) {
+    let (HeatSpot::Probe(ProbeMark { at, .. })
+    | HeatSpot::Mirrored(ProbeMark { at, .. })
+    | HeatSpot::Here(at)
+    | HeatSpot::Best(at)
+    | HeatSpot::Start(at)) = spot;
     let center = frame.point(at);
     let [x, y] = center;
     let inside = (0..2).all(|k| (frame.min[k] - 0.5..=frame.max[k] + 0.5).contains(&center[k]));
-    if let Spot::Probe(_) = spot {
+    if let HeatSpot::Probe(_) = spot {
         cross(drawing, center, frame);
     }
     if !inside {
@@ -213,11 +218,11 @@ fn mark(drawing: &mut Drawing, spot: Spot, frame: &HeatFrame) {
         over_colors::ring(drawing, center, radius, filled, middle);
     };
     match spot {
-        Spot::Probe(mark) => ring(4.0, mark.exact, LIGHT),
-        Spot::Mirrored(mark) => ring(3.0, mark.exact, LIGHT),
-        Spot::Here(_) => ring(3.5, true, Role::Accent),
-        Spot::Start(_) => ring(4.0, false, LIGHT),
-        Spot::Best(_) => {
+        HeatSpot::Probe(mark) => ring(4.0, mark.exact, LIGHT),
+        HeatSpot::Mirrored(mark) => ring(3.0, mark.exact, LIGHT),
+        HeatSpot::Here(_) => ring(3.5, true, Role::Accent),
+        HeatSpot::Start(_) => ring(4.0, false, LIGHT),
+        HeatSpot::Best(_) => {
             for (half, role) in [(9.0, DARK), (7.5, LIGHT)] {
                 let corners = vec![[x, y - half], [x + half, y], [x, y + half], [x - half, y]];
                 drawing.fill(corners, role.into());

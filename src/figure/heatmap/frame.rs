@@ -1,4 +1,4 @@
-//! Where values are in a heat map, and which part of it is in sight.
+//! Map between values and points of a heat map, and the part of it that is in sight.
 
 use super::Side;
 use crate::figure::drawing::Point;
@@ -6,15 +6,15 @@ use serde::{Deserialize, Serialize};
 
 /// The part of both axes that is in sight, as shares from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct View {
+#[serde(default, rename = "View")]
+pub struct HeatView {
     /// First and last share to the right.
     pub x: (f64, f64),
     /// First and last share upwards.
     pub y: (f64, f64),
 }
 
-impl Default for View {
+impl Default for HeatView {
     /// All.
     fn default() -> Self {
         Self {
@@ -27,8 +27,8 @@ impl Default for View {
 /// The least share of an axis that fills the picture.
 const CLOSEST: f64 = 0.02;
 
-impl View {
-    /// Everything shrunk towards a share of the picture (from its lower left corner) by a factor: below 1 is nearer.
+impl HeatView {
+    /// View shrunk towards a share of the picture (from its lower left corner) by a factor: below 1 is nearer.
     pub fn zoomed(self, at: [f64; 2], factor: f64) -> Self {
         let zoom = |(low, high): (f64, f64), at: f64| {
             let width = ((high - low) * factor).clamp(CLOSEST, 1.0);
@@ -80,12 +80,12 @@ pub struct HeatFrame {
     pub min: Point,
     /// Lower right corner.
     pub max: Point,
-    /// To the right.
+    /// Horizontal axis, to the right.
     pub x: Side,
     /// Upwards.
     pub y: Side,
-    /// What is in sight.
-    pub view: View,
+    /// Part of the map in sight.
+    pub view: HeatView,
 }
 
 impl HeatFrame {

@@ -1,6 +1,6 @@
 //! Diagonal lines over the cells that miss a value, cut at their outlines.
 
-use super::{Cell, Field, HeatFrame};
+use super::{Cell, HeatField, HeatFrame};
 use crate::figure::drawing::{Drawing, Point};
 use crate::figure::palette::Ink;
 
@@ -10,7 +10,7 @@ const SPACING: f32 = 5.0;
 const SHORTEST: f32 = 0.7;
 
 /// Hatches the missing cells in sight.
-pub fn hatch(drawing: &mut Drawing, field: &Field, frame: &HeatFrame, ink: Ink) {
+pub fn hatch(drawing: &mut Drawing, field: &HeatField, frame: &HeatFrame, ink: Ink) {
     if !field.cells.contains(&Cell::Missing) {
         return;
     }
@@ -41,7 +41,7 @@ pub fn hatch(drawing: &mut Drawing, field: &Field, frame: &HeatFrame, ink: Ink) 
 
 /// The pieces of one line over missing cells. Edges of columns ascend, edges of rows descend on screen.
 fn pieces(
-    field: &Field,
+    field: &HeatField,
     columns: &[f32],
     rows: &[f32],
     (from, to): (f32, f32),

@@ -1,7 +1,7 @@
-//! How a heat map divides its rectangle: title, axes and colour bar around the cells.
+//! Layout of a heat map in its rectangle: title, axes and colour bar around the cells.
 
 use super::bar::{ColorBar, key_width_em};
-use super::{Cell, Field, HeatFrame, HeatSpec};
+use super::{Cell, HeatField, HeatFrame, HeatSpec};
 use crate::figure::drawing::{LINE_HEIGHT, Point, font_size};
 use crate::figure::scale::Tick;
 use crate::figure::text::{RichText, elided};
@@ -10,12 +10,12 @@ use crate::figure::text::{RichText, elided};
 pub(super) const TICK: f32 = 4.0;
 
 /// Places and sizes in points.
-pub(super) struct Plan {
+pub(super) struct HeatLayout {
     /// Font size.
     pub font: f32,
-    /// What it is, and the left end of its text.
+    /// Title, and the left end of its text.
     pub title: (RichText, Point),
-    /// Where the cells are.
+    /// Place of the cells.
     pub frame: HeatFrame,
     /// Right of the cells.
     pub bar: ColorBar,
@@ -27,8 +27,8 @@ pub(super) struct Plan {
     pub key: Option<Point>,
 }
 
-impl Plan {
-    pub(super) fn new(spec: &HeatSpec, field: &Field, [width, height]: [f32; 2]) -> Self {
+impl HeatLayout {
+    pub(super) fn new(spec: &HeatSpec, field: &HeatField, [width, height]: [f32; 2]) -> Self {
         let font = font_size([width, height]);
         let (pad, line) = (0.6 * font, LINE_HEIGHT * font);
         let top = pad + line + 0.5 * pad;

@@ -1,6 +1,6 @@
 //! The cells as a picture.
 
-use super::{Cell, ColorScale, Field, HeatFrame, position};
+use super::{Cell, ColorScale, HeatField, HeatFrame, position};
 use crate::figure::drawing::{Item, Picture};
 
 /// Shades of a map that are told apart.
@@ -11,7 +11,12 @@ const FINE: f32 = 2.0;
 const MOST: usize = 2048;
 
 /// The cells in sight, clear where they have no value; `None` where there are no cells.
-pub fn image(field: &Field, colors: &ColorScale, frame: &HeatFrame, smooth: bool) -> Option<Item> {
+pub fn image(
+    field: &HeatField,
+    colors: &ColorScale,
+    frame: &HeatFrame,
+    smooth: bool,
+) -> Option<Item> {
     let [width, height] = frame.size();
     let columns = samples(&field.x, width, frame.view.x, |x| frame.x.share(x));
     let rows = samples(&field.y, height, frame.view.y, |y| frame.y.share(y));
@@ -54,7 +59,7 @@ pub fn image(field: &Field, colors: &ColorScale, frame: &HeatFrame, smooth: bool
     }))
 }
 
-/// For every pixel the cell that it shows: one per cell where all are in sight and of the same size.
+/// Position of the cell that each pixel shows: one pixel per cell where all are in sight and of the same size.
 fn samples(
     edges: &[f64],
     length: f32,

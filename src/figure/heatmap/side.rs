@@ -3,14 +3,14 @@
 use crate::figure::scale::{self, Tick, number};
 use crate::figure::text::RichText;
 
-/// How values are spread along an axis.
+/// Law by which values are spread along an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Law {
     /// Evenly.
     Linear,
-    /// By their square root, as θh on the MERL grid. From 0 on.
+    /// Square root of the value, as θh on the MERL grid. From 0 on.
     SquareRoot,
-    /// By their logarithm. Above 0.
+    /// Logarithm of the value. Above 0.
     Log,
 }
 
@@ -35,9 +35,9 @@ impl Law {
 /// An axis: what it is of, and where its values are.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Side {
-    /// In the markup of [`crate::figure::text`].
+    /// Title in the markup of [`crate::figure::text`].
     pub title: String,
-    /// How values are spread.
+    /// Law by which values are spread.
     pub law: Law,
     /// First and last value.
     pub range: (f64, f64),
@@ -108,7 +108,7 @@ impl Side {
         kept.into_iter().map(tick).collect()
     }
 
-    /// How a value is written.
+    /// Text of a value, as the axis writes it.
     pub fn label(&self, value: f64) -> RichText {
         let text = match self.law {
             Law::Log if !(1e-2..=2e3).contains(&value) => scale::power_of_ten(value),

@@ -8,7 +8,7 @@ fn spec() -> HeatSpec {
         title: vec!["A long title that needs room".into(), "Short".into()],
         x: Side::angle("θ_{h}", Law::SquareRoot),
         y: Side::angle("θ_{d}", Law::Linear),
-        view: View::default(),
+        view: HeatView::default(),
         colors: ColorScale::Amount(Axis::new(RadialScale::Linear, 1.0, None)),
         bar_title: "f_{r}".into(),
         missing: "not measured",
@@ -21,10 +21,10 @@ fn spec() -> HeatSpec {
 }
 
 /// 90 × 90 cells: values on the left, missing in the middle, nothing on the right.
-fn field() -> Field {
+fn field() -> HeatField {
     let x = (0..=90).map(|k| f64::from(k * k) / 90.0).collect();
     let y = (0..=90).map(f64::from).collect();
-    Field::new(x, y, |column, _| match column {
+    HeatField::new(x, y, |column, _| match column {
         0..30 => Cell::Value(1.0),
         30..60 => Cell::Missing,
         _ => Cell::Outside,
@@ -51,9 +51,11 @@ fn corners(item: &Item) -> Vec<Point> {
 #[test]
 fn points_and_values_are_each_others_inverse_in_any_view() {
     let views = [
-        View::default(),
-        View::default().zoomed([0.3, 0.8], 0.25),
-        View::default().zoomed([0.9, 0.1], 0.1).moved([-0.5, 0.4]),
+        HeatView::default(),
+        HeatView::default().zoomed([0.3, 0.8], 0.25),
+        HeatView::default()
+            .zoomed([0.9, 0.1], 0.1)
+            .moved([-0.5, 0.4]),
     ];
     let mut spec = spec();
     for (view, law) in views
@@ -71,7 +73,7 @@ fn points_and_values_are_each_others_inverse_in_any_view() {
             assert!((0..2).all(|k| (point[k] - back[k]).abs() < 0.01), "{law:?}");
             // Planted: the other axis' view.
             let swapped = HeatFrame {
-                view: View {
+                view: HeatView {
                     x: view.y,
                     y: view.x,
                 },
@@ -87,13 +89,13 @@ fn points_and_values_are_each_others_inverse_in_any_view() {
 
 #[test]
 fn zooming_keeps_what_is_under_the_pointer_and_stays_inside() {
-    let near = View::default().zoomed([0.25, 0.5], 0.5);
+    let near = HeatView::default().zoomed([0.25, 0.5], 0.5);
     assert_eq!(near.x, (0.125, 0.625));
     assert_eq!(near.y, (0.25, 0.75));
     assert_eq!(near.moved([10.0, -10.0]).x, (0.5, 1.0));
     assert_eq!(near.moved([10.0, -10.0]).y, (0.0, 0.5));
-    assert_eq!(near.zoomed([0.5, 0.5], 100.0), View::default());
-    let closest = (0..200).fold(View::default(), |view, _| view.zoomed([0.5, 0.5], 0.8));
+    assert_eq!(near.zoomed([0.5, 0.5], 100.0), HeatView::default());
+    let closest = (0..200).fold(HeatView::default(), |view, _| view.zoomed([0.5, 0.5], 0.8));
     assert!(closest.x.1 - closest.x.0 >= 0.0199);
 }
 
@@ -135,14 +137,14 @@ fn the_picture_has_the_cells_where_the_axes_say() {
         assert_eq!(color_at(&map, [edge + 0.01, 0.5])[3], 0);
     }
     spec.x.law = Law::SquareRoot;
-    spec.view = View::default().zoomed([0.0, 0.0], 0.5);
+    spec.view = HeatView::default().zoomed([0.0, 0.0], 0.5);
     let map = HeatMap::new(&spec, &field, [700.0, 420.0]);
     assert_eq!(color_at(&map, [0.65, 0.5])[3], 255);
     assert_eq!(color_at(&map, [0.68, 0.5])[3], 0);
 }
 
 /// Lengths of hatching over missing cells and elsewhere, within the frame.
-fn hatching(map: &HeatMap, field: &Field) -> (f32, f32) {
+fn hatching(map: &HeatMap, field: &HeatField) -> (f32, f32) {
     let (mut on, mut off) = (0.0, 0.0);
     for item in &map.drawing.items {
         let Item::Line { points, ink, .. } = item else {
@@ -177,7 +179,7 @@ fn missing_cells_are_hatched_up_to_their_outlines() {
         _ => Cell::Value(0.5),
     };
     let even: Vec<f64> = (0..=90).map(f64::from).collect();
-    let speckled = Field::new(even.clone(), even, speckled);
+    let speckled = HeatField::new(even.clone(), even, speckled);
     for (field, share) in [(field(), 1.0 / 3.0), (speckled, 0.2)] {
         let mut spec = spec();
         if share == 0.2 {
@@ -191,7 +193,7 @@ fn missing_cells_are_hatched_up_to_their_outlines() {
         assert!((on / wanted - 1.0).abs() < 0.1, "{on} of {wanted}");
         assert!(off < 0.02 * on, "{off}");
         // Planted: a neighbour's cells.
-        let shifted = Field::new(field.x.clone(), field.y.clone(), |column, row| {
+        let shifted = HeatField::new(field.x.clone(), field.y.clone(), |column, row| {
             field.cell((column + 1) % field.columns(), row)
         });
         let (_, off) = hatching(&map, &shifted);
@@ -268,7 +270,7 @@ fn axes_have_ticks_that_do_not_crowd() {
 
 #[test]
 fn everything_stays_inside_and_finite_at_any_size() {
-    let mark = Mark {
+    let mark = ProbeMark {
         at: [45.0, 45.0],
         exact: true,
     };
@@ -281,7 +283,7 @@ fn everything_stays_inside_and_finite_at_any_size() {
                     kind: CurveKind::Limit,
                     label: Some("80°".into()),
                 }],
-                spots: vec![Spot::Probe(mark), Spot::Best([400.0, 3.0])],
+                spots: vec![HeatSpot::Probe(mark), HeatSpot::Best([400.0, 3.0])],
                 ..spec()
             };
             let map = HeatMap::new(&spec, &field(), size);

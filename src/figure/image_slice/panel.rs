@@ -1,10 +1,10 @@
 //! The image slice on paper.
 
 use super::ImageSpec;
-use crate::figure::heatmap::{Cell, ColorScale, Field as Cells, HeatMap};
+use crate::figure::heatmap::{Cell, ColorScale, HeatField as Cells, HeatMap};
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
 use crate::figure::shown::Shown;
-use crate::figure::table::Table;
+use crate::figure::table::DataTable;
 use crate::geom::degrees::rounded;
 
 impl PanelView for ImageSpec {
@@ -50,8 +50,8 @@ impl PanelView for ImageSpec {
 }
 
 /// The cells of an image slice that are above the horizon; a value that was not measured is empty.
-fn table(spec: &ImageSpec, cells: &Cells) -> Table {
-    let mut table = Table::new(&[
+fn table(spec: &ImageSpec, cells: &Cells) -> DataTable {
+    let mut table = DataTable::new(&[
         "quantity", "channel", "theta_h", "theta_d", "phi_d", "value",
     ]);
     let what = spec.shown.quantity(spec.cosine);

@@ -14,7 +14,7 @@ fn brdf() -> Brdf {
     }
 }
 
-/// Every cell has a value of its own, some have none.
+/// Table in which every cell has a value of its own and some have none.
 fn table() -> Arc<Table> {
     let grid = Grid::FOLDED;
     let cells = (0..grid.len())
@@ -27,7 +27,7 @@ fn table() -> Arc<Table> {
 }
 
 /// The largest relative distance of the picture's values from the cells of the table at a bin of φd.
-fn off_cells(field: &Field, table: &Table, phi_bin: usize, channel: Channel) -> f64 {
+fn off_cells(field: &HeatField, table: &Table, phi_bin: usize, channel: Channel) -> f64 {
     let grid = table.grid();
     let mut off = 0.0f64;
     for h in 0..THETA_H_BINS {
@@ -85,7 +85,7 @@ fn below_the_horizon_is_not_what_was_not_measured() {
     }
     .field(Some(&source), Some(&model));
     assert!(!model.cells.contains(&Cell::Missing));
-    let outside = |field: &Field| -> Vec<bool> {
+    let outside = |field: &HeatField| -> Vec<bool> {
         field
             .cells
             .iter()

@@ -2,10 +2,10 @@
 
 use super::{LandscapeSpec, Terrain};
 use crate::figure::fit_output::FitOutput;
-use crate::figure::heatmap::{HeatMap, View};
+use crate::figure::heatmap::{HeatMap, HeatView};
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView};
 use crate::figure::scale::number;
-use crate::figure::table::Table;
+use crate::figure::table::DataTable;
 use crate::geom::degrees;
 use serde::{Deserialize, Serialize};
 
@@ -17,7 +17,7 @@ pub struct LandscapePanel {
     pub fresnel: String,
     /// η everywhere; the best one at each point without.
     pub eta: Option<f64>,
-    /// How much a cell counts: the key of a weight.
+    /// Weight of the cells in E, by its key.
     pub weight: String,
     /// Grazing limit in radians.
     #[serde(with = "degrees")]
@@ -27,7 +27,7 @@ pub struct LandscapePanel {
     /// (s, α) of a model.
     pub here: Option<[f64; 2]>,
     /// The part in sight.
-    pub view: View,
+    pub view: HeatView,
 }
 
 impl Default for LandscapePanel {
@@ -39,7 +39,7 @@ impl Default for LandscapePanel {
             limit: std::f64::consts::FRAC_PI_2,
             path: Vec::new(),
             here: None,
-            view: View::default(),
+            view: HeatView::default(),
         }
     }
 }
@@ -76,8 +76,8 @@ impl PanelView for LandscapePanel {
 }
 
 /// E in percent at the nodes of a landscape.
-fn table(terrain: &Terrain) -> Table {
-    let mut table = Table::new(&["s", "alpha", "percent_e"]);
+fn table(terrain: &Terrain) -> DataTable {
+    let mut table = DataTable::new(&["s", "alpha", "percent_e"]);
     let nodes = terrain
         .alpha
         .iter()

@@ -1,6 +1,6 @@
 //! The least E over a grid of s and α.
 
-use crate::figure::heatmap::{Cell, Field};
+use crate::figure::heatmap::{Cell, HeatField};
 
 /// E in percent at the nodes of a grid over s and α.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,10 +28,10 @@ impl Terrain {
     }
 
     /// Cells whose values are between those of the nodes.
-    pub fn field(&self) -> Field {
+    pub fn field(&self) -> HeatField {
         let (columns, rows) = (self.s.len(), self.alpha.len());
         if columns < 2 || rows < 2 || self.percent.len() != columns * rows {
-            return Field::default();
+            return HeatField::default();
         }
         let ln_s: Vec<f64> = self.s.iter().map(|s| s.ln()).collect();
         let x = finer(&ln_s).into_iter().map(f64::exp).collect();
@@ -43,7 +43,7 @@ impl Terrain {
                 (k % FINER) as f64 / FINER as f64 + 0.5 / FINER as f64,
             )
         };
-        Field::new(x, finer(&self.alpha), |column, row| {
+        HeatField::new(x, finer(&self.alpha), |column, row| {
             let ((i, u), (j, v)) = (split(column), split(row));
             let along = |j: usize| (1.0 - u) * at(i, j) + u * at(i + 1, j);
             Cell::Value((1.0 - v) * along(j) + v * along(j + 1))

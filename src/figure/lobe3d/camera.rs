@@ -1,4 +1,4 @@
-//! Where a lobe is seen from: turned as on a ball under the hand, without perspective, so that lengths compare.
+//! Camera of the lobes in space: turned as on a ball under the hand, without perspective, so that lengths compare.
 
 use crate::figure::drawing::Point;
 use glam::{DMat3, DQuat, DVec3};
@@ -8,11 +8,11 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Camera {
-    /// From the surface's frame to the view: x to the right, y up, z to the eye.
+    /// Rotation from the surface's frame to the view: x to the right, y up, z to the eye.
     pub rotation: DQuat,
     /// 1 where the dome just fits the canvas.
     pub zoom: f64,
-    /// What of the view is in the middle of the canvas, in units of the dome's radius.
+    /// Point of the view in the middle of the canvas, in units of the dome's radius.
     pub center: [f64; 2],
 }
 
@@ -22,7 +22,7 @@ const ZOOM: [f64; 2] = [0.5, 60.0];
 const REACH: f64 = 1.5;
 
 impl Default for Camera {
-    /// From the front and a little above: light comes from the left, the mirror direction is on the right.
+    /// View from the front and a little above: light comes from the left, the mirror direction is on the right.
     fn default() -> Self {
         let upright = DQuat::from_mat3(&DMat3::from_cols(DVec3::X, DVec3::NEG_Z, DVec3::Y));
         let turn = DQuat::from_rotation_x(0.38) * DQuat::from_rotation_y(0.32);
@@ -53,8 +53,8 @@ impl Camera {
 
 /// A camera on a canvas of a size in points.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Projection {
-    /// Which way it looks.
+pub struct SpaceProjection {
+    /// Direction and zoom of the view.
     pub camera: Camera,
     /// The point of the canvas where the middle of the view is.
     pub middle: Point,
@@ -62,7 +62,7 @@ pub struct Projection {
     pub scale: f64,
 }
 
-impl Projection {
+impl SpaceProjection {
     /// The dome with its arrows fits between the points `min` and `max` at zoom 1.
     pub fn new(camera: Camera, min: Point, max: Point) -> Self {
         let (width, height) = (f64::from(max[0] - min[0]), f64::from(max[1] - min[1]));
@@ -73,12 +73,12 @@ impl Projection {
         }
     }
 
-    /// In view space: x and y in units of the radius from the dome's foot, z to the eye.
+    /// Point in view space: x and y in units of the radius from the dome's foot, z to the eye.
     pub fn view(&self, p: DVec3) -> DVec3 {
         self.camera.rotation * p
     }
 
-    /// Where a point of the surface's frame is on the canvas.
+    /// Point of the canvas at which a point of the surface's frame is seen.
     pub fn point(&self, p: DVec3) -> Point {
         let v = self.view(p);
         let [x, y] = self.camera.center;

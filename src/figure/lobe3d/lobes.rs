@@ -8,34 +8,34 @@ use crate::geom::{Rgb, mirror};
 use glam::DVec3;
 use std::sync::Arc;
 
-/// What decides the shape of lobes, besides the subjects.
+/// Settings that decide the shape of lobes, besides the subjects.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shape {
     /// Angle of incidence in radians.
     pub theta_i: f64,
-    /// How values become radii.
+    /// Law from values to radii.
     pub scale: RadialScale,
     /// Cosines that f_r is multiplied by.
     pub cosine: CosineFactor,
-    /// What of the colours is shown.
+    /// Colour channel that is shown.
     pub channel: Channel,
-    /// How fine the meshes are.
+    /// Fineness of the meshes.
     pub detail: Detail,
 }
 
 impl Shape {
-    /// To the light, which comes from the left.
+    /// Unit vector to the light, which comes from the left.
     pub fn wi(&self) -> DVec3 {
         DVec3::new(-self.theta_i.sin(), 0.0, self.theta_i.cos())
     }
 
-    /// What is shown of f_r towards a direction.
+    /// Function from f_r towards a direction to the value that is shown.
     fn scalar(&self) -> impl Fn(Rgb, DVec3) -> f64 {
         let (cosine, channel, cos_theta_i) = (self.cosine, self.channel, self.theta_i.cos());
         move |f_r, wo| cosine.of(cos_theta_i, wo.z) * channel.of(f_r)
     }
 
-    /// What is shown of a source towards `wo`; `None` where it has no finite value.
+    /// Value of a source towards `wo`, as it is shown; `None` where it has no finite value.
     pub fn value(&self, source: &Source, wo: DVec3) -> Option<f64> {
         let value = self.scalar()(source.f_r(self.wi(), wo)?, wo);
         value.is_finite().then_some(value)
@@ -45,11 +45,11 @@ impl Shape {
 /// The lobe of one subject.
 #[derive(Clone, Debug)]
 pub struct Lobe {
-    /// Whose.
+    /// Subject whose f_r it is.
     pub subject: Subject,
     /// f_r of every direction of the layout.
     pub(super) samples: Arc<Vec<Option<Rgb>>>,
-    /// Its surface; `None` where the subject is hidden.
+    /// Surface of the lobe; `None` where the subject is hidden.
     pub mesh: Option<Arc<LobeMesh>>,
 }
 
@@ -63,7 +63,7 @@ impl Lobe {
 /// The lobes of some subjects.
 #[derive(Clone, Debug)]
 pub struct Lobes {
-    /// How they were made.
+    /// Settings that the lobes were made with.
     pub shape: Shape,
     /// One per subject, in their order.
     pub list: Vec<Lobe>,
@@ -141,7 +141,7 @@ impl Lobes {
         self.list.iter().filter_map(|lobe| lobe.mesh.as_deref())
     }
 
-    /// To the light.
+    /// Unit vector to the light.
     pub fn wi(&self) -> DVec3 {
         mirror(self.directions[0])
     }

@@ -7,13 +7,13 @@ use glam::DVec3;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// How fine a mesh is.
+/// Fineness of a mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Detail {
-    /// For a large picture and for paper.
+    /// Mesh for a large picture and for paper.
     #[default]
     Fine,
-    /// For a picture in which the pieces of a fine mesh are about as small as pixels.
+    /// Mesh for a picture in which the pieces of a fine mesh are about as small as pixels.
     Coarse,
 }
 
@@ -21,7 +21,7 @@ pub enum Detail {
 const LARGE: f64 = 280.0;
 
 impl Detail {
-    /// What a picture of this size, so much enlarged, asks for.
+    /// Fineness for a picture of this size in points, enlarged `zoom` times.
     pub fn of([width, height]: [f32; 2], zoom: f64) -> Self {
         if zoom * f64::from(width.min(height)) < LARGE {
             Self::Coarse
@@ -71,7 +71,7 @@ impl Detail {
     }
 }
 
-/// How much closer rings lie near the mirror direction: ring k of n is at (k/n)^CROWDING of the way to the horizon.
+/// Crowding of rings near the mirror direction: ring k of n is at (k/n)^CROWDING of the way to the horizon.
 const CROWDING: f64 = 2.5;
 
 /// The directions of a mesh for light at `theta_i` radians from the left: the mirror direction, then ring by ring.
@@ -135,11 +135,11 @@ pub fn sample(source: &Source, directions: &[DVec3]) -> Vec<Option<Rgb>> {
 /// A lobe as triangles: the point of a direction is as far from the origin as its value says.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LobeMesh {
-    /// In units of the axis' limit; the origin where there is no value.
+    /// Corners, in units of the axis' limit; the origin where there is no value.
     pub positions: Vec<DVec3>,
     /// Outwards; 0 where no triangle is.
     pub normals: Vec<DVec3>,
-    /// Only where all corners have values.
+    /// Corners of each triangle by position; only triangles whose corners all have values.
     pub triangles: Vec<[u32; 3]>,
     /// Whether the direction has a value.
     valid: Vec<bool>,
@@ -186,7 +186,7 @@ impl LobeMesh {
         mesh
     }
 
-    /// Some rings and spokes as polylines, broken where there are no values: the mesh as wire.
+    /// Polylines along some rings and spokes, broken where there are no values: the mesh as wire.
     pub fn wire(&self) -> Vec<Vec<DVec3>> {
         let detail = self.detail;
         let (rings, spokes, every) = (detail.rings(), detail.spokes(), detail.pieces());

@@ -1,6 +1,6 @@
-//! What is written over the lobes in space: title, legend, names and heads of vectors, angles, values, the probe.
+//! Labels over the lobes in space: title, legend, names and heads of vectors, angles, values, the probe.
 
-use super::camera::{Camera, Projection};
+use super::camera::{Camera, SpaceProjection};
 use super::lobes::Lobes;
 use super::space::{CIRCLES_DEG, VECTOR};
 use crate::figure::drawing::{Anchor, Drawing, LINE_HEIGHT, Label, Point, font_size};
@@ -17,24 +17,24 @@ use glam::DVec3;
 pub struct Overlay {
     /// Over what is in space.
     pub drawing: Drawing,
-    /// Where the names of the subjects are.
+    /// Places of the subjects' names.
     pub legend: Vec<LegendEntry>,
-    /// Where what is in space is.
-    pub projection: Projection,
+    /// Map from space to points of the canvas.
+    pub projection: SpaceProjection,
 }
 
 impl Overlay {
-    /// Of some lobes, with the direction `wo` of the probe, on a canvas of `size` points.
+    /// Overlay of some lobes, with the direction `wo` of the probe, on a canvas of `size` points.
     pub fn new(lobes: &Lobes, camera: Camera, wo: Option<DVec3>, size: [f32; 2]) -> Self {
         let [width, height] = size;
         let font = font_size([width, height]);
-        let mut canvas = Canvas {
+        let mut canvas = LabelCanvas {
             drawing: Drawing::new(size),
             placing: Placing::default(),
             font,
         };
         let below = title_and_legend(&mut canvas, lobes);
-        let projection = Projection::new(camera, [0.0, below.1], size);
+        let projection = SpaceProjection::new(camera, [0.0, below.1], size);
         vectors(&mut canvas, lobes, &projection, wo);
         values(&mut canvas, lobes, &projection);
         circles(&mut canvas, &projection);
@@ -52,20 +52,20 @@ impl Overlay {
     }
 }
 
-struct Canvas {
+struct LabelCanvas {
     drawing: Drawing,
     placing: Placing,
     font: f32,
 }
 
-impl Canvas {
+impl LabelCanvas {
     fn label(&self, text: RichText, pos: Point, anchor: Anchor, role: Role) -> Label {
         Label::new(text, pos, anchor, self.font, role)
     }
 }
 
 /// Title at the left, names at the right, or under each other; and where they end.
-fn title_and_legend(canvas: &mut Canvas, lobes: &Lobes) -> (Vec<LegendEntry>, f32) {
+fn title_and_legend(canvas: &mut LabelCanvas, lobes: &Lobes) -> (Vec<LegendEntry>, f32) {
     let [width, _] = canvas.drawing.size;
     let font = canvas.font;
     let (pad, line) = (0.7 * font, LINE_HEIGHT * font);
@@ -133,7 +133,12 @@ fn title_and_legend(canvas: &mut Canvas, lobes: &Lobes) -> (Vec<LegendEntry>, f3
 }
 
 /// Heads of the vectors and their names.
-fn vectors(canvas: &mut Canvas, lobes: &Lobes, projection: &Projection, wo: Option<DVec3>) {
+fn vectors(
+    canvas: &mut LabelCanvas,
+    lobes: &Lobes,
+    projection: &SpaceProjection,
+    wo: Option<DVec3>,
+) {
     let wi = lobes.wi();
     let named = [("n", DVec3::Z), ("ω_{i}", wi), ("ω_{r}", mirror(wi))];
     let named = named.into_iter().chain(wo.map(|wo| ("ω_{o}", wo)));
@@ -165,7 +170,7 @@ fn vectors(canvas: &mut Canvas, lobes: &Lobes, projection: &Projection, wo: Opti
 }
 
 /// Values of the rings of the plane of incidence, along the surface at the right.
-fn values(canvas: &mut Canvas, lobes: &Lobes, projection: &Projection) {
+fn values(canvas: &mut LabelCanvas, lobes: &Lobes, projection: &SpaceProjection) {
     for tick in lobes.axis.ticks(4).into_iter().rev() {
         let mut pos = projection.point(tick.position * DVec3::X);
         pos[1] += 0.3 * canvas.font;
@@ -177,7 +182,7 @@ fn values(canvas: &mut Canvas, lobes: &Lobes, projection: &Projection) {
 }
 
 /// Angles of the circles of the surface, on whichever side of the plane of incidence is nearer to the eye.
-fn circles(canvas: &mut Canvas, projection: &Projection) {
+fn circles(canvas: &mut LabelCanvas, projection: &SpaceProjection) {
     let towards_eye = projection.view(DVec3::Y).z.signum();
     // One beside the other, as the outer circles are close together.
     for (degrees, aside) in CIRCLES_DEG.into_iter().zip([0.0, 0.0, 0.55]) {
@@ -198,7 +203,7 @@ fn circles(canvas: &mut Canvas, projection: &Projection) {
 }
 
 /// A dot on every lobe towards `wo`.
-fn probe(canvas: &mut Canvas, lobes: &Lobes, projection: &Projection, wo: DVec3) {
+fn probe(canvas: &mut LabelCanvas, lobes: &Lobes, projection: &SpaceProjection, wo: DVec3) {
     for lobe in lobes.list.iter().filter(|lobe| !lobe.subject.hidden) {
         let Some(value) = lobes.shape.value(&lobe.subject.source, wo) else {
             continue;
@@ -212,7 +217,7 @@ fn probe(canvas: &mut Canvas, lobes: &Lobes, projection: &Projection, wo: DVec3)
 }
 
 /// Why there is nothing to see.
-fn nothing(canvas: &mut Canvas, no_subjects: bool) {
+fn nothing(canvas: &mut LabelCanvas, no_subjects: bool) {
     let text = if no_subjects {
         "Open a material to see its lobes."
     } else {

@@ -21,9 +21,9 @@ pub struct Lobe3dSpec {
     /// Cosines that f_r is multiplied by.
     #[serde(rename = "with_cosine")]
     pub cosine: CosineFactor,
-    /// What of the colours is shown.
+    /// Colour channel that is shown.
     pub channel: Channel,
-    /// Where it is seen from.
+    /// Camera of the picture.
     pub camera: Camera,
 }
 

@@ -3,7 +3,7 @@
 //! Solids go into a picture with depth; flat surfaces are laid over what is behind them; lines are drawn strong in
 //! front of solids and weak behind them. Several samples a pixel make the edges soft.
 
-use super::{Lobes, Projection, SpaceLine, ground, wires};
+use super::{Lobes, SpaceLine, SpaceProjection, ground, wires};
 use crate::figure::drawing::{Item, Picture};
 use crate::figure::palette::{Palette, Role};
 use glam::{DVec2, DVec3};
@@ -12,22 +12,22 @@ use image::imageops::{FilterType, resize};
 
 /// Samples a pixel along each side.
 const SAMPLES: f64 = 3.0;
-/// From the upper left, beside the eye; as in the shader.
+/// Direction of the lamp in view space: from the upper left, beside the eye; as in the shader.
 const LIGHT: DVec3 = DVec3::new(-0.40, 0.55, 0.73);
-/// How far a line is in front of the solid that it lies on.
+/// Distance of a line in front of the solid that it lies on, in units of the dome's radius.
 const LIFT: f64 = 0.004;
 
 /// The lobes on a canvas of `size` points, `density` pixels to the point.
 pub fn picture(
     lobes: &Lobes,
-    projection: &Projection,
+    projection: &SpaceProjection,
     palette: &Palette,
     size: [f32; 2],
     density: f32,
 ) -> Item {
     let pixels = size.map(|points| ((points * density).ceil() as u32).clamp(1, 4096));
     let scale = SAMPLES * f64::from(density);
-    let mut canvas = Canvas::new(pixels.map(|pixels| pixels as usize * SAMPLES as usize));
+    let mut canvas = RasterCanvas::new(pixels.map(|pixels| pixels as usize * SAMPLES as usize));
     let place = |p: DVec3| {
         let [x, y] = projection.point(p).map(f64::from);
         DVec3::new(scale * x, scale * y, projection.view(p).z)
@@ -78,7 +78,7 @@ pub fn picture(
 }
 
 /// Pixels with depth, the larger the nearer; premultiplied.
-struct Canvas {
+struct RasterCanvas {
     size: [usize; 2],
     color: Vec<[f32; 4]>,
     depth: Vec<f64>,
@@ -87,7 +87,7 @@ struct Canvas {
     lines: u32,
 }
 
-impl Canvas {
+impl RasterCanvas {
     fn new(size: [usize; 2]) -> Self {
         Self {
             size,
@@ -202,7 +202,7 @@ fn facing([a, b, c]: [DVec3; 3]) -> bool {
     (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y) < 0.0
 }
 
-/// As `fragment_solid`.
+/// RGBA of a lit solid, as `fragment_solid` of the shader.
 fn shaded(normal: DVec3, outside: bool, color: [u8; 3]) -> [f32; 4] {
     let normal = normal.normalize_or_zero() * if outside { 1.0 } else { -1.0 };
     let lit = 0.5 + 0.5 * normal.dot(LIGHT);

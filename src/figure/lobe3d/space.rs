@@ -1,4 +1,4 @@
-//! What stands in space around the lobes: the surface with its circles, the plane of incidence with its rings, vectors.
+//! Scenery around the lobes in space: the surface with its circles, the plane of incidence with its rings, vectors.
 
 use super::lobes::Lobes;
 use crate::figure::palette::{Ink, Palette, Role};
@@ -10,19 +10,19 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 /// Polar angles in degrees that are circles on the surface: at sin θ, under the directions of that θ.
 pub const CIRCLES_DEG: [f64; 3] = [30.0, 60.0, UNRELIABLE_THETA_DEG];
 
-/// How far the tips of the vectors are from the origin.
+/// Distance of the vectors' tips from the origin, in units of the dome's radius.
 pub const VECTOR: f64 = 1.1;
 
 /// A line in space.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpaceLine {
-    /// At least two, in units of the dome's radius.
+    /// Corners, at least two, in units of the dome's radius.
     pub points: Vec<DVec3>,
-    /// In points.
+    /// Width in points.
     pub width: f32,
-    /// Its colour.
+    /// Colour of the line.
     pub ink: Ink,
-    /// How much of its colour is left where a solid is in front of it.
+    /// Share of its opacity that is left where a solid is in front of it.
     pub behind: f32,
 }
 
@@ -31,7 +31,7 @@ pub struct SpaceLine {
 pub struct SpaceFill {
     /// A convex polygon.
     pub points: Vec<DVec3>,
-    /// Its colour.
+    /// Fill colour.
     pub ink: Ink,
 }
 
@@ -96,7 +96,7 @@ pub fn ground(lobes: &Lobes, wo: Option<DVec3>) -> (Vec<SpaceFill>, Vec<SpaceLin
 
 /// Width in points of the wire of a model.
 const WIRE: f32 = 1.2;
-/// How much of the wire is left behind a solid.
+/// Share of the wire's opacity that is left behind a solid.
 const WIRE_BEHIND: f32 = 0.22;
 
 /// The models as wire. A model has the colour of its material: on the solid it is seen by being nearer to the colour of

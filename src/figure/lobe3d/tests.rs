@@ -57,7 +57,7 @@ fn mesh_of(lobes: &Lobes) -> &LobeMesh {
     lobes.meshes().next().expect("a lobe that is shown")
 }
 
-/// How far in radians a direction of the dome can be from all of these.
+/// Largest angle in radians from a direction of the dome to the nearest of these.
 fn farthest_from(all: &[DVec3]) -> f64 {
     let spread = (0..400).map(|k| {
         let (u, v) = (f64::from(k) / 400.0, f64::from(k) * 0.618_034);
@@ -265,7 +265,7 @@ fn the_direction_under_a_point_is_the_nearest_one_of_the_surface() {
 
 #[test]
 fn the_camera_turns_under_the_hand_and_zooms_around_the_pointer() {
-    let start = Projection::new(Camera::default(), [0.0, 20.0], SIZE);
+    let start = SpaceProjection::new(Camera::default(), [0.0, 20.0], SIZE);
     let light = start.point(-DVec3::X);
     let mirror_side = start.point(DVec3::X);
     assert!(light[0] < mirror_side[0], "light comes from the left");
@@ -273,14 +273,14 @@ fn the_camera_turns_under_the_hand_and_zooms_around_the_pointer() {
 
     let at = [420.0, 180.0];
     let near = start.unproject(at);
-    let zoomed = Projection::new(start.zoomed(1.7, at), [0.0, 20.0], SIZE);
+    let zoomed = SpaceProjection::new(start.zoomed(1.7, at), [0.0, 20.0], SIZE);
     let same = zoomed.unproject(at);
     assert!((near[0] - same[0]).hypot(near[1] - same[1]) < 1e-9);
     assert!((zoomed.scale / start.scale - 1.7).abs() < 1e-9);
 
     // What is in front goes where the hand goes.
     let [x, y] = start.middle;
-    let turned = Projection::new(start.dragged([x, y], [x + 60.0, y]), [0.0, 20.0], SIZE);
+    let turned = SpaceProjection::new(start.dragged([x, y], [x + 60.0, y]), [0.0, 20.0], SIZE);
     let in_front = start.camera.rotation.inverse() * DVec3::Z;
     assert!(turned.view(in_front).x > 0.1);
     assert!((turned.camera.rotation.length() - 1.0).abs() < 1e-12);

@@ -1,8 +1,8 @@
-//! What stands around the lobes: the half disc with its rings and angles, the grazing regions, the vectors.
+//! Backdrop of the lobes: the half disc with its rings and angles, the grazing regions, the vectors.
 
 use super::{LobeFrame, LobeSpec};
 use crate::figure::drawing::{Anchor, Drawing, Item, Label, Point};
-use crate::figure::mark::Mark;
+use crate::figure::mark::ProbeMark;
 use crate::figure::palette::{Ink, Role};
 use crate::figure::placing::Placing;
 use crate::figure::scale::power_of_ten;
@@ -129,7 +129,7 @@ pub(super) fn vectors(canvas: &mut LobeCanvas, spec: &LobeSpec) {
     let active = spec.theta_i.get(spec.active).copied();
     if let Some(theta_i) = active {
         vector(canvas, -theta_i, "ω_{i}", Role::Accent.into());
-        if let Some(Mark {
+        if let Some(ProbeMark {
             at: theta_o,
             exact: true,
         }) = spec.probe
@@ -232,7 +232,7 @@ pub(super) fn ring_labels(canvas: &mut LobeCanvas) {
 /// Radius of the active handle in points; the others are smaller.
 const HANDLE: f32 = 5.5;
 
-/// Where the lights can be taken.
+/// Handles by which the lights can be dragged.
 pub(super) fn handles(canvas: &mut LobeCanvas, spec: &LobeSpec) {
     for (lobe, theta_i) in spec.theta_i.iter().enumerate() {
         let active = lobe == spec.active;

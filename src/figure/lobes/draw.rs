@@ -1,11 +1,11 @@
 //! The curves of a lobe plot, what names them, and the order in which all is drawn.
 
 use super::backdrop::{self, LobeCanvas};
-use super::layout::Plan;
+use super::layout::LobeLayout;
 use super::{LobeFrame, LobeSpec, Trace};
 use crate::figure::drawing::{Anchor, Drawing, Item, Point};
 use crate::figure::legend::{self, LegendEntry};
-use crate::figure::mark::{Mark, probe_dot};
+use crate::figure::mark::{ProbeMark, probe_dot};
 use crate::figure::palette::{Ink, Role};
 use crate::figure::polyline::{self, thinned};
 use crate::figure::subject::Subject;
@@ -16,7 +16,7 @@ pub(super) fn draw(
     subjects: &[Subject],
     traces: &[Trace],
     frame: &LobeFrame,
-    plan: &Plan,
+    plan: &LobeLayout,
     size: [f32; 2],
 ) -> (Drawing, Vec<LegendEntry>) {
     let mut canvas = LobeCanvas::new(frame, plan.font, size);
@@ -53,7 +53,7 @@ pub(super) fn draw(
     (canvas.drawing, entries)
 }
 
-fn legend(canvas: &mut LobeCanvas, subjects: &[Subject], plan: &Plan) -> Vec<LegendEntry> {
+fn legend(canvas: &mut LobeCanvas, subjects: &[Subject], plan: &LobeLayout) -> Vec<LegendEntry> {
     let entries = plan.legend.iter().map(|(index, name, at)| {
         let (entry, label) = legend::draw_entry(
             &mut canvas.drawing,
@@ -98,9 +98,9 @@ fn runs(frame: &LobeFrame, trace: &Trace) -> Vec<Vec<Point>> {
     polyline::runs(samples, |theta_o, position| frame.at(theta_o, position))
 }
 
-/// Where the probe meets the active lobes.
+/// Dots at which the probe meets the active lobes.
 fn probe_dots(canvas: &mut LobeCanvas, spec: &LobeSpec, subjects: &[Subject], traces: &[&Trace]) {
-    let Some(Mark { at: theta_o, exact }) = spec.probe else {
+    let Some(ProbeMark { at: theta_o, exact }) = spec.probe else {
         return;
     };
     for trace in traces.iter().filter(|trace| trace.lobe == spec.active) {

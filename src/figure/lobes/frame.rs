@@ -1,4 +1,4 @@
-//! Where angles and values are in a lobe plot.
+//! Map between angles, values and points of a lobe plot.
 
 use crate::figure::drawing::Point;
 use crate::figure::scale::Axis;
@@ -8,7 +8,7 @@ use std::f64::consts::FRAC_PI_2;
 /// The half disc of a lobe plot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LobeFrame {
-    /// Where the light meets the surface, in points of the drawing.
+    /// Point of the drawing at which the light meets the surface.
     pub origin: Point,
     /// Radius of the rim in points.
     pub radius: f32,
@@ -59,7 +59,7 @@ impl LobeFrame {
         (-self.theta_at(point)).clamp(0.0, MAX_THETA_I)
     }
 
-    /// Where the handle of a θi is.
+    /// Point of the handle of a θi.
     pub fn handle(&self, theta_i: f64) -> Point {
         self.at(-theta_i, 1.0)
     }

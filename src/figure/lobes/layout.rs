@@ -1,4 +1,4 @@
-//! How a lobe plot divides its rectangle: the half disc as large as title and legend leave it.
+//! Layout of a lobe plot in its rectangle: the half disc as large as title and legend leave it.
 
 use super::LobeSpec;
 use crate::figure::drawing::{LINE_HEIGHT, Point, font_size};
@@ -7,20 +7,20 @@ use crate::figure::subject::Subject;
 use crate::figure::text::{RichText, elided};
 
 /// Places and sizes in points.
-pub(super) struct Plan {
+pub(super) struct LobeLayout {
     /// Font size.
     pub font: f32,
     /// Middle of the surface line.
     pub origin: Point,
-    /// Of the half disc.
+    /// Radius of the half disc in points.
     pub radius: f32,
-    /// What is plotted, and the left end of its text.
+    /// Title, and the left end of its text.
     pub title: (RichText, Point),
     /// One entry per subject: its position in the list, its name, the left end of its line.
     pub legend: Vec<(usize, RichText, Point)>,
 }
 
-impl Plan {
+impl LobeLayout {
     pub(super) fn new(spec: &LobeSpec, subjects: &[Subject], [width, height]: [f32; 2]) -> Self {
         let font = font_size([width, height]);
         let pad = 0.7 * font;
@@ -115,7 +115,7 @@ impl Plan {
     }
 }
 
-/// What is plotted, its unit, the channel and the scale; without the lesser words where there is no room.
+/// Title: the quantity, its unit, the channel and the scale; without the lesser words where there is no room.
 fn title(spec: &LobeSpec, room_em: f32) -> RichText {
     let what = format!("f_{{r}}{}", spec.cosine.markup());
     let (channel, scale) = (spec.channel.name(), spec.scale.phrase());

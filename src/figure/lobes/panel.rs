@@ -3,7 +3,7 @@
 use super::{LobePlot, LobeSpec};
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
 use crate::figure::subject::Subject;
-use crate::figure::table::{Table, curve_head};
+use crate::figure::table::{DataTable, curve_head};
 use crate::geom::degrees::rounded;
 
 impl PanelView for LobeSpec {
@@ -43,8 +43,8 @@ impl PanelView for LobeSpec {
 }
 
 /// The curves of a lobe plot.
-fn table(plot: &LobePlot, spec: &LobeSpec, subjects: &[Subject]) -> Table {
-    let mut table = Table::new(&[
+fn table(plot: &LobePlot, spec: &LobeSpec, subjects: &[Subject]) -> DataTable {
+    let mut table = DataTable::new(&[
         "quantity", "channel", "curve", "kind", "theta_i", "theta_o", "value",
     ]);
     for trace in &plot.traces {

@@ -2,7 +2,7 @@ use super::frame::distance;
 use super::*;
 use crate::figure::cosine::CosineFactor;
 use crate::figure::drawing::{Item, Point};
-use crate::figure::mark::Mark;
+use crate::figure::mark::ProbeMark;
 use crate::figure::palette::Role;
 use crate::figure::polyline::off_segment;
 use crate::figure::scale::{RADIAL_SCALES, RadialScale};
@@ -295,7 +295,7 @@ fn no_text_covers_another_in_any_size() {
                     let spec = LobeSpec {
                         theta_i: theta_i_deg.map(f64::to_radians).to_vec(),
                         scale,
-                        probe: probe.map(|at| Mark { at, exact: true }),
+                        probe: probe.map(|at| ProbeMark { at, exact: true }),
                         ..LobeSpec::default()
                     };
                     let long = Subject {
@@ -332,7 +332,7 @@ fn every_size_is_drawn_with_finite_numbers() {
             let spec = LobeSpec {
                 theta_i,
                 active: 7,
-                probe: Some(Mark {
+                probe: Some(ProbeMark {
                     at: 0.4,
                     exact: true,
                 }),

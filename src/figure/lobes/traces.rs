@@ -12,7 +12,7 @@ pub struct Trace {
     pub subject: usize,
     /// Position of θi in the spec.
     pub lobe: usize,
-    /// By ascending signed θo, from horizon to horizon; values in 1/sr.
+    /// Samples by ascending signed θo, from horizon to horizon; values in 1/sr.
     pub samples: Vec<Sample>,
 }
 
@@ -22,7 +22,7 @@ impl Trace {
         samples::values(&self.samples)
     }
 
-    /// Its highest value and where that is.
+    /// Signed θo in radians of the highest value, and that value.
     pub fn peak(&self) -> Option<(f64, f64)> {
         samples::peak(&self.samples)
     }

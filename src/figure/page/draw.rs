@@ -13,17 +13,17 @@ use crate::figure::legend::{SWATCH_EM, draw_entry};
 use crate::figure::palette::Role;
 use crate::figure::panel::{PanelDrawing, PanelInput};
 use crate::figure::subject::{Look, Subject};
-use crate::figure::table::Table;
+use crate::figure::table::DataTable;
 use crate::figure::text::{RichText, elided};
 use crate::figure::write::{POINTS_PER_MM, Paper, font};
 
 /// A figure that is drawn.
 #[derive(Clone, Debug)]
 pub struct Page {
-    /// What is printed.
+    /// Drawing with its palette and ground.
     pub paper: Paper,
     /// The numbers in it, a table per panel that has some.
-    pub table: Table,
+    pub table: DataTable,
 }
 
 /// Between panels, in units of the font size.
@@ -42,7 +42,7 @@ pub fn draw(
 ) -> Result<Page, String> {
     check(spec, subjects)?;
     let palette = spec.style.palette.palette();
-    let layout = Layout::new(spec);
+    let layout = PageLayout::new(spec);
     let mut spec = spec.clone();
     let places = layout.places();
     let draw_panel = |panel: &PanelSpec, view: &ViewSpec, index: usize| -> PanelDrawing {
@@ -99,7 +99,7 @@ pub fn draw(
             ground: (!spec.style.transparent).then_some([255; 3]),
             title: title(&spec, subjects),
         },
-        table: Table::joined(&tables),
+        table: DataTable::joined(&tables),
     })
 }
 
@@ -135,7 +135,7 @@ fn unnamed(named: &[Subject], view: &ViewSpec) -> Vec<Subject> {
     subjects
 }
 
-/// What the figure is of, in one line.
+/// Title of the page in one line: names of subjects and views, each once.
 fn title(spec: &PageSpec, subjects: &[Subject]) -> String {
     let mut words: Vec<&str> = Vec::new();
     for panel in spec.rows.iter().flat_map(|row| &row.panels) {
@@ -154,7 +154,7 @@ fn title(spec: &PageSpec, subjects: &[Subject]) -> String {
 }
 
 /// Lengths on a page, in points.
-struct Layout<'a> {
+struct PageLayout<'a> {
     spec: &'a PageSpec,
     style: Style,
     width: f32,
@@ -163,7 +163,7 @@ struct Layout<'a> {
     lines: f32,
 }
 
-impl<'a> Layout<'a> {
+impl<'a> PageLayout<'a> {
     fn new(spec: &'a PageSpec) -> Self {
         let style = spec.style.clone();
         Self {

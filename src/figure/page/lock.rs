@@ -1,4 +1,4 @@
-//! The same axis of values for all panels of a kind.
+//! Shared axes of values: the same ends for all panels of a kind.
 
 use super::spec::PageSpec;
 use super::style::SameAxes;

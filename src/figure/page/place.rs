@@ -5,10 +5,10 @@ use crate::figure::write::POINTS_PER_MM;
 use image::RgbaImage;
 use image::imageops::{FilterType, resize};
 
-/// How a drawing is put on a page.
+/// Placement of a drawing on a page.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct PagePlacement {
-    /// Where its upper left corner comes to lie.
+    /// Upper left corner of the drawing on the page, in points.
     pub at: Point,
     /// Lengths on the page per length in the drawing.
     pub scale: f32,

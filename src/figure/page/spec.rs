@@ -1,4 +1,4 @@
-//! What is on a page, as data: rows of panels, each a view of some subjects.
+//! Spec of a page: rows of panels, each a view of some subjects.
 
 use super::style::Style;
 use crate::figure::ViewSpec;
@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PageSpec {
-    /// From above to below.
+    /// Rows from above to below.
     pub rows: Vec<RowSpec>,
-    /// How it looks.
+    /// Look of the page on paper.
     #[serde(default)]
     pub style: Style,
 }
@@ -25,7 +25,7 @@ pub struct RowSpec {
     /// Height of the panels in millimetres; from their kinds without.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub height_mm: Option<f64>,
-    /// From left to right.
+    /// Panels from left to right.
     pub panels: Vec<PanelSpec>,
 }
 
@@ -39,6 +39,6 @@ pub struct PanelSpec {
     /// Positions in the figure's list of subjects, in the order in which they are drawn and named. A sphere, an image
     /// slice and an error map take the first measurement and the first model; a landscape takes the measurement.
     pub subjects: Vec<usize>,
-    /// What is shown of them.
+    /// View that the panel shows, with its settings.
     pub view: ViewSpec,
 }

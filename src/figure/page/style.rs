@@ -1,10 +1,10 @@
-//! How a figure looks on paper.
+//! Style: the look of a figure on paper.
 
 use crate::figure::palette::{Palette, SERIES_COLORS};
 use crate::keys;
 use serde::{Deserialize, Serialize};
 
-/// How a figure looks on paper.
+/// Look of a figure on paper.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Style {
@@ -18,7 +18,7 @@ pub struct Style {
     pub palette: Inks,
     /// Whether the names of the curves stand below the panels.
     pub legend: bool,
-    /// Which panels of a kind have the same axis of values.
+    /// Group of panels of a kind that have the same axis of values.
     pub same_axes: SameAxes,
     /// Whether panels are lettered (a), (b), …
     pub letters: bool,
@@ -47,20 +47,20 @@ impl Default for Style {
 /// Widths that journals use, in millimetres.
 pub const COLUMNS: [(&str, f64); 2] = [("One column", 85.0), ("Two columns", 178.0)];
 
-/// Which panels of a kind have the same axis of values.
+/// Group of panels of a kind that have the same axis of values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SameAxes {
     /// All of the figure.
     #[default]
     Figure,
-    /// Those in a row.
+    /// Panels in a row.
     Row,
     /// None: each has its own.
     Panel,
 }
 
-/// All of them in the order offered.
+/// Groups in the order offered.
 pub const SAME_AXES: [SameAxes; 3] = [SameAxes::Figure, SameAxes::Row, SameAxes::Panel];
 
 impl SameAxes {
@@ -83,14 +83,14 @@ impl SameAxes {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Inks {
-    /// Those of the window in light, told apart by colour-blind people too.
+    /// Colours of the window in light, told apart by colour-blind people too.
     #[default]
     Color,
     /// Greys that a black and white printer tells apart.
     Grey,
 }
 
-/// All of them in the order offered.
+/// Inks in the order offered.
 pub const INKS: [Inks; 2] = [Inks::Color, Inks::Grey];
 
 impl Inks {
@@ -134,7 +134,7 @@ const LIMITS: [(&str, f64, f64); 4] = [
 ];
 
 impl Style {
-    /// What is out of range: one sentence.
+    /// First value out of range, as an error of one sentence.
     ///
     /// # Errors
     /// Names the key, what it is and what was expected.

@@ -5,7 +5,7 @@ use crate::figure::lobes::LobeSpec;
 use crate::figure::scale::RadialScale;
 use crate::figure::sphere_image::{SphereShow, SphereSpec};
 use crate::figure::subject::{Look, Source, Subject};
-use crate::figure::table::Field;
+use crate::figure::table::TableField;
 use crate::figure::write::POINTS_PER_MM;
 use std::f64::consts::FRAC_1_PI;
 use std::sync::Arc;
@@ -204,15 +204,15 @@ fn the_table_has_the_numbers_that_are_drawn() {
     let value = table.columns.iter().position(|name| *name == "value");
     let value = value.expect("a column");
     for row in &table.rows {
-        let (Field::Number(panel), Field::Number(found)) = (&row[0], &row[value]) else {
+        let (TableField::Number(panel), TableField::Number(found)) = (&row[0], &row[value]) else {
             panic!("{row:?}");
         };
         let wanted = if *panel == 1.0 { 0.1 } else { 0.9 } * FRAC_1_PI;
         assert!((found - wanted).abs() < 1e-12);
     }
-    let names: Vec<&Field> = table.rows.iter().map(|row| &row[3]).collect();
+    let names: Vec<&TableField> = table.rows.iter().map(|row| &row[3]).collect();
     assert!(
-        names.contains(&&Field::Text("dark".into())),
+        names.contains(&&TableField::Text("dark".into())),
         "{:?}",
         table.rows[0]
     );

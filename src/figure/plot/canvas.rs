@@ -8,14 +8,14 @@ use crate::figure::polyline::thinned;
 use crate::figure::text::RichText;
 
 /// A drawing and its texts.
-pub struct Canvas {
+pub struct PlotCanvas {
     pub drawing: Drawing,
     pub placing: Placing,
     /// Size of all texts in points.
     pub font: f32,
 }
 
-impl Canvas {
+impl PlotCanvas {
     pub fn new(size: [f32; 2], font: f32) -> Self {
         Self {
             drawing: Drawing::new(size),

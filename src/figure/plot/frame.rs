@@ -1,22 +1,22 @@
-//! Where values are in a plot, and which value is where.
+//! Map between values and points of a plot.
 
 use crate::figure::drawing::Point;
 use crate::figure::scale::Axis;
 
 /// The rectangle of a plot with its two axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frame {
+pub struct PlotFrame {
     /// Upper left corner in points of the drawing.
     pub min: Point,
     /// Lower right corner.
     pub max: Point,
-    /// From left to right.
+    /// Horizontal axis, from left to right.
     pub x: Axis,
-    /// From below to above.
+    /// Vertical axis, from below to above.
     pub y: Axis,
 }
 
-impl Frame {
+impl PlotFrame {
     /// Width and height in points.
     pub fn size(&self) -> [f32; 2] {
         [self.max[0] - self.min[0], self.max[1] - self.min[1]]

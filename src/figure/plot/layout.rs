@@ -1,4 +1,4 @@
-//! How a plot divides its rectangle: title and legend above, numbers at the left and below, panels in what is left.
+//! Layout of a plot in its rectangle: title and legend above, numbers at the left and below, panels in what is left.
 
 use super::outline::{Outline, Panel};
 use crate::figure::drawing::{LINE_HEIGHT, Point, font_size};
@@ -8,15 +8,15 @@ use crate::figure::subject::Subject;
 use crate::figure::text::{RichText, elided};
 
 /// Places and sizes in points.
-pub(super) struct Plan {
+pub(super) struct PlotLayout {
     pub font: f32,
-    /// What is plotted, and the left end of its text.
+    /// Title, and the left end of its text.
     pub title: (RichText, Point),
     /// One entry per subject: its position in the list, its name, the left end of its line.
     pub legend: Vec<(usize, RichText, Point)>,
     pub left: f32,
     pub right: f32,
-    pub panels: Vec<Place>,
+    pub panels: Vec<PanelPlace>,
     pub x_marks: Ticks,
     /// Middle of the line with the numbers of x.
     pub numbers_y: f32,
@@ -25,8 +25,8 @@ pub(super) struct Plan {
 }
 
 /// A panel's place.
-pub(super) struct Place {
-    /// Its title and the left end of it.
+pub(super) struct PanelPlace {
+    /// Title of the panel, and the left end of its text.
     pub title: Option<(RichText, Point)>,
     pub top: f32,
     pub bottom: f32,
@@ -44,7 +44,7 @@ const ROOMY: f32 = 240.0;
 /// The largest share of the height that names in the legend take before they are cut shorter.
 const LEGEND_SHARE: f32 = 0.3;
 
-impl Plan {
+impl PlotLayout {
     pub(super) fn new(outline: &Outline, [width, height]: [f32; 2]) -> Self {
         let font = font_size([width, height]);
         let pad = 0.6 * font;
@@ -72,7 +72,7 @@ impl Plan {
             panels.push(place(panel, y, high, font));
             y += high;
         }
-        let number = |place: &Place| {
+        let number = |place: &PanelPlace| {
             let widths = place.marks.major.iter();
             widths.map(|tick| tick.label.width_em()).fold(0.0, f32::max)
         };
@@ -102,8 +102,8 @@ impl Plan {
     }
 }
 
-fn place(panel: &Panel, top: f32, height: f32, font: f32) -> Place {
-    Place {
+fn place(panel: &Panel, top: f32, height: f32, font: f32) -> PanelPlace {
+    PanelPlace {
         title: None,
         top,
         bottom: top + height,

@@ -1,4 +1,4 @@
-//! What is pointed out in a plot: dots, names beside them, sentences.
+//! Annotations in a plot: dots, names beside them, sentences.
 
 use super::Plot;
 use crate::figure::drawing::{Anchor, Item, Point};
@@ -8,14 +8,14 @@ use crate::figure::text::RichText;
 
 /// A dot with a name.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Spot {
-    /// Its value of x.
+pub struct PlotDot {
+    /// Value on the horizontal axis.
     pub x: f64,
-    /// Its value of y.
+    /// Value on the vertical axis.
     pub y: f64,
-    /// In points.
+    /// Radius in points.
     pub radius: f32,
-    /// Its colour.
+    /// Fill colour.
     pub ink: Ink,
     /// Beside it, where there is room.
     pub name: RichText,
@@ -23,7 +23,7 @@ pub struct Spot {
 
 impl Plot {
     /// Dots inside a panel, the first ones over the others and named first. Gives back where each one is.
-    pub fn dots(&mut self, panel: usize, spots: &[Spot]) -> Vec<Option<Point>> {
+    pub fn dots(&mut self, panel: usize, spots: &[PlotDot]) -> Vec<Option<Point>> {
         let Some(frame) = self.frames.get(panel).copied() else {
             return vec![None; spots.len()];
         };

@@ -9,8 +9,8 @@ mod layout;
 mod marks;
 mod outline;
 
-pub use frame::Frame;
-pub use marks::Spot;
+pub use frame::PlotFrame;
+pub use marks::PlotDot;
 pub use outline::{Outline, Panel, Pen};
 
 use super::drawing::{Anchor, Drawing, Point};
@@ -18,25 +18,25 @@ use super::legend::{self, LegendEntry};
 use super::palette::{Ink, Role};
 use super::polyline;
 use super::text::RichText;
-pub(super) use canvas::Canvas;
-use layout::{NUMBER_GAP_EM, Plan};
+pub(super) use canvas::PlotCanvas;
+use layout::{NUMBER_GAP_EM, PlotLayout};
 
 /// A plot in the making.
 pub struct Plot {
-    canvas: Canvas,
-    plan: Plan,
+    canvas: PlotCanvas,
+    plan: PlotLayout,
     x_name: String,
     /// One per panel.
-    pub frames: Vec<Frame>,
-    /// Where the names of the subjects are.
+    pub frames: Vec<PlotFrame>,
+    /// Places of the subjects' names.
     pub legend: Vec<LegendEntry>,
 }
 
 impl Plot {
     /// Lays out `size` points and draws title and legend.
     pub fn new(outline: &Outline, size: [f32; 2]) -> Self {
-        let plan = Plan::new(outline, size);
-        let mut canvas = Canvas::new(size, plan.font);
+        let plan = PlotLayout::new(outline, size);
+        let mut canvas = PlotCanvas::new(size, plan.font);
         let (title, at) = &plan.title;
         canvas.text(title.clone(), *at, Anchor::LEFT, Role::Muted);
         let mut entries = Vec::new();
@@ -54,7 +54,7 @@ impl Plot {
             }
         }
         let frames = plan.panels.iter().zip(&outline.panels);
-        let frames = frames.map(|(place, panel)| Frame {
+        let frames = frames.map(|(place, panel)| PlotFrame {
             min: [plan.left, place.top],
             max: [plan.right, place.bottom],
             x: outline.x,

@@ -4,42 +4,42 @@ use crate::figure::palette::{Ink, Role};
 use crate::figure::scale::{Axis, Steps};
 use crate::figure::subject::Subject;
 
-/// What a plot is laid out from.
+/// Input of the layout of a plot.
 #[derive(Clone, Debug)]
 pub struct Outline<'a> {
-    /// What is plotted, as markup: the fullest first, shorter ones for less room.
+    /// Titles as markup: the fullest first, shorter ones for less room.
     pub title: Vec<String>,
-    /// Whose names are in the legend.
+    /// Subjects named in the legend.
     pub subjects: &'a [Subject],
     /// The axis that all panels share.
     pub x: Axis,
-    /// What its numbers are.
+    /// Kind of round steps between the numbers of the horizontal axis.
     pub x_steps: Steps,
-    /// Its name and unit, as markup.
+    /// Name and unit of the horizontal axis, as markup.
     pub x_name: String,
-    /// From above to below.
+    /// Panels from above to below.
     pub panels: Vec<Panel>,
 }
 
-/// One of several plots over each other.
+/// Panel of a plot; several stand over each other and share x.
 #[derive(Clone, Debug)]
 pub struct Panel {
-    /// From below to above.
+    /// Axis of values, from below to above.
     pub axis: Axis,
-    /// In relation to the other panels.
+    /// Height in relation to the other panels.
     pub height: f32,
     /// Over it, as markup, like the title of the plot; the first panel has none.
     pub title: Vec<String>,
 }
 
-/// How a curve is drawn.
+/// Look of a curve.
 #[derive(Clone, Copy, Debug)]
 pub struct Pen {
-    /// In points.
+    /// Width in points.
     pub width: f32,
     /// Dash and gap in points; solid without.
     pub dash: Option<[f32; 2]>,
-    /// Its colour.
+    /// Colour of the curve.
     pub ink: Ink,
 }
 

@@ -190,7 +190,7 @@ fn a_curve_is_broken_in_gaps_and_cut_at_the_frame() {
 #[test]
 fn dots_are_named_and_left_out_where_they_are_not_shown() {
     let mut plot = Plot::new(&outline(&[], RadialScale::Linear, [0.0, 1.0]), SIZES[2]);
-    let spot = |x, y, name| Spot {
+    let spot = |x, y, name| PlotDot {
         x,
         y,
         radius: 4.0,

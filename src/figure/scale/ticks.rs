@@ -8,32 +8,32 @@ use crate::figure::text::RichText;
 pub struct Tick {
     /// The value.
     pub value: f64,
-    /// Its length, in [0, 1].
+    /// Length along the axis, in [0, 1].
     pub position: f64,
-    /// How it is written.
+    /// Text of the tick.
     pub label: RichText,
 }
 
 /// Marks from one end of a straight axis to the other.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ticks {
-    /// Those with a number, ascending.
+    /// Ticks with a number, ascending.
     pub major: Vec<Tick>,
     /// Lengths of those between them.
     pub minor: Vec<f64>,
 }
 
-/// What the steps of a linear axis are.
+/// Kind of round steps between the ticks of a linear axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Steps {
     /// 1, 2 or 5 times a power of ten.
     Decimal,
-    /// The same, or what divides a right angle: 15, 30, 45, 90 degrees.
+    /// Decimal steps, or those that divide a right angle: 15, 30, 45, 90 degrees.
     Degrees,
 }
 
 /// A step of a linear axis, how many parts minor marks divide it into, and how many decimals tell its multiples apart.
-struct Step {
+struct TickStep {
     size: f64,
     parts: i32,
     decimals: usize,
@@ -41,11 +41,11 @@ struct Step {
 
 impl Steps {
     /// The smallest step that is not below `least`.
-    fn at_least(self, least: f64) -> Step {
+    fn at_least(self, least: f64) -> TickStep {
         if self == Self::Degrees && least > 10.0 {
             for (size, parts) in [(15.0, 3), (30.0, 3), (45.0, 3), (90.0, 3), (180.0, 2)] {
                 if size >= least * (1.0 - 1e-9) {
-                    return Step {
+                    return TickStep {
                         size,
                         parts,
                         decimals: 0,
@@ -64,7 +64,7 @@ impl Steps {
         } else {
             exponent
         };
-        Step {
+        TickStep {
             size,
             parts,
             decimals: (-exponent).max(0) as usize,
@@ -72,7 +72,7 @@ impl Steps {
     }
 }
 
-/// What rounding moves a mark off the end of an axis by.
+/// Tolerance for a mark that rounding moves off the end of an axis.
 const ROUNDING: f64 = 1e-9;
 /// A decade of this length in points has marks at 2, 3, … 9.
 const ROOMY_DECADE: f64 = 22.0;

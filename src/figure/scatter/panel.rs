@@ -4,7 +4,7 @@ use super::{ScatterDot, ScatterPlot};
 use crate::figure::palette::Role;
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView};
 use crate::figure::subject::Source;
-use crate::figure::table::Table;
+use crate::figure::table::DataTable;
 use serde::{Deserialize, Serialize};
 
 /// The plot of materials on paper: the models by s and α of the combined model, in the colours of their series.
@@ -47,8 +47,8 @@ impl PanelView for ScatterSpec {
 }
 
 /// Materials by s and α.
-fn table(dots: &[ScatterDot]) -> Table {
-    let mut table = Table::new(&["material", "s", "alpha"]);
+fn table(dots: &[ScatterDot]) -> DataTable {
+    let mut table = DataTable::new(&["material", "s", "alpha"]);
     for dot in dots {
         let name = dot.name.as_str().into();
         table.rows.push(vec![name, dot.s.into(), dot.alpha.into()]);

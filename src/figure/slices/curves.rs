@@ -11,11 +11,11 @@ pub struct SliceTrace {
     pub subject: usize,
     /// Position of θi in the spec; 0 where only one slice is.
     pub slice: usize,
-    /// By ascending angle in radians; values in 1/sr.
+    /// Samples by ascending angle in radians; values in 1/sr.
     pub samples: Vec<Sample>,
 }
 
-/// What is between a model and its measurement.
+/// Residual between a model and its measurement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResidualTrace {
     /// Position of the measurement in the list that was plotted.
@@ -24,7 +24,7 @@ pub struct ResidualTrace {
     pub model: usize,
     /// Position of θi in the spec; 0 where only one slice is.
     pub slice: usize,
-    /// By ascending angle in radians; in 1/sr, or a ratio.
+    /// Samples by ascending angle in radians; values in 1/sr, or a ratio.
     pub samples: Vec<Sample>,
 }
 

@@ -4,7 +4,7 @@ use super::SlicePlot;
 use super::curves::{self, ResidualTrace, SliceTrace};
 use super::spec::{Over, Residual, SliceSpec};
 use crate::figure::cosine::CosineFactor;
-use crate::figure::mark::Mark;
+use crate::figure::mark::ProbeMark;
 use crate::figure::palette::{Ink, Role};
 use crate::figure::plot::{Outline, Panel, Pen, Plot};
 use crate::figure::samples;
@@ -154,7 +154,7 @@ fn strip(spec: &SliceSpec, residuals: &[ResidualTrace]) -> Panel {
     }
 }
 
-/// What is plotted, its unit, where, the channel and the scale; without the lesser words where there is no room.
+/// Title: the quantity, its unit, the fixed angles, the channel and the scale; shorter ones for less room.
 fn title(spec: &SliceSpec) -> Vec<String> {
     let what = format!("f_{{r}}{} [sr^{{−1}}]", spec.cosine.markup());
     let degrees = |x: f64| format!("{}°", (10.0 * x.to_degrees()).round() / 10.0);
@@ -259,7 +259,7 @@ fn probe(
     traces: &[SliceTrace],
     residuals: &[ResidualTrace],
 ) {
-    let Some(Mark { at, exact }) = spec.probe else {
+    let Some(ProbeMark { at, exact }) = spec.probe else {
         return;
     };
     let x = at.to_degrees();

@@ -3,7 +3,7 @@
 use super::{Over, Residual, SlicePlot, SliceSpec};
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
 use crate::figure::subject::Subject;
-use crate::figure::table::{Field, Table, curve_head};
+use crate::figure::table::{DataTable, TableField, curve_head};
 use crate::geom::degrees::rounded;
 
 impl PanelView for SliceSpec {
@@ -41,37 +41,43 @@ impl PanelView for SliceSpec {
 }
 
 /// The curves of a plot of slices, and the residuals below them.
-fn table(plot: &SlicePlot, spec: &SliceSpec, subjects: &[Subject]) -> Table {
-    let mut table = Table::new(&[
+fn table(plot: &SlicePlot, spec: &SliceSpec, subjects: &[Subject]) -> DataTable {
+    let mut table = DataTable::new(&[
         "quantity", "channel", "curve", "kind", "theta_i", "theta_o", "theta_h", "theta_d",
         "phi_d", "value",
     ]);
-    let angles = |slice: usize, x: f64| -> [Field; 5] {
-        let (x, fixed) = (Field::from(rounded(x)), |angle: f64| {
-            Field::from(rounded(angle))
+    let angles = |slice: usize, x: f64| -> [TableField; 5] {
+        let (x, fixed) = (TableField::from(rounded(x)), |angle: f64| {
+            TableField::from(rounded(angle))
         });
         match spec.over {
             Over::ThetaO => {
                 let theta_i = fixed(spec.theta_i[slice]);
-                [theta_i, x, Field::Empty, Field::Empty, Field::Empty]
+                [
+                    theta_i,
+                    x,
+                    TableField::Empty,
+                    TableField::Empty,
+                    TableField::Empty,
+                ]
             }
             Over::ThetaH => [
-                Field::Empty,
-                Field::Empty,
+                TableField::Empty,
+                TableField::Empty,
                 x,
                 fixed(spec.theta_d),
                 fixed(spec.phi_d),
             ],
             Over::ThetaD => [
-                Field::Empty,
-                Field::Empty,
+                TableField::Empty,
+                TableField::Empty,
                 fixed(spec.theta_h),
                 x,
                 fixed(spec.phi_d),
             ],
             Over::PhiD => [
-                Field::Empty,
-                Field::Empty,
+                TableField::Empty,
+                TableField::Empty,
                 fixed(spec.theta_h),
                 fixed(spec.theta_d),
                 x,

@@ -1,7 +1,7 @@
-//! What a slice is of: the angle that runs, those that are fixed, and how values are shown.
+//! Spec of a slice: the angle that runs, those that are fixed, and how values are shown.
 
 use crate::figure::cosine::CosineFactor;
-use crate::figure::mark::Mark;
+use crate::figure::mark::ProbeMark;
 use crate::figure::scale::RadialScale;
 use crate::figure::subject::{Channel, Subject};
 use crate::geom::{HalfDiff, degrees};
@@ -25,7 +25,7 @@ pub enum Over {
     PhiD,
 }
 
-/// All of them in the order offered.
+/// Running angles in the order offered.
 pub const OVERS: [Over; 4] = [Over::ThetaO, Over::ThetaH, Over::ThetaD, Over::PhiD];
 
 impl Over {
@@ -54,7 +54,7 @@ impl Over {
         }
     }
 
-    /// The one whose key this is.
+    /// Running angle of a key.
     pub fn by_key(key: &str) -> Option<Self> {
         keys::by_key(key)
     }
@@ -69,11 +69,11 @@ impl Over {
     }
 }
 
-/// What is shown below the curves.
+/// Residual shown below the curves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Residual {
-    /// Nothing.
+    /// No residual.
     #[default]
     None,
     /// Model − measured.
@@ -82,7 +82,7 @@ pub enum Residual {
     Ratio,
 }
 
-/// All of them in the order offered.
+/// Residuals in the order offered.
 pub const RESIDUALS: [Residual; 3] = [Residual::None, Residual::Difference, Residual::Ratio];
 
 impl Residual {
@@ -100,7 +100,7 @@ impl Residual {
         }
     }
 
-    /// The one whose key this is.
+    /// Residual of a key.
     pub fn by_key(key: &str) -> Option<Self> {
         keys::by_key(key)
     }
@@ -111,7 +111,7 @@ const NARROWEST: f64 = 1e-5;
 /// Closer to the pole than this, φd would be made up of rounding.
 const OFF_POLE: f64 = 1e-9;
 
-/// What a plot of slices shows of its subjects.
+/// Settings of a plot of slices.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct SliceSpec {
@@ -120,7 +120,7 @@ pub struct SliceSpec {
     /// Angles of incidence of slices over θo, in radians, in [0, π/2].
     #[serde(with = "degrees")]
     pub theta_i: Vec<f64>,
-    /// Which of them is drawn strong.
+    /// Position of the slice that is drawn strong.
     pub active: usize,
     /// Fixed θh in radians, in slices over θd and φd.
     #[serde(with = "degrees")]
@@ -131,14 +131,14 @@ pub struct SliceSpec {
     /// Fixed φd in radians, in slices over θh and θd.
     #[serde(with = "degrees")]
     pub phi_d: f64,
-    /// How values become heights.
+    /// Law from values to heights.
     pub scale: RadialScale,
     /// Cosines that f_r is multiplied by.
     #[serde(rename = "with_cosine")]
     pub cosine: CosineFactor,
-    /// What of the colours is plotted.
+    /// Colour channel that is plotted.
     pub channel: Channel,
-    /// What is shown below the curves.
+    /// Residual shown below the curves.
     pub residual: Residual,
     /// The part of the angle that is seen, in radians; all of it without.
     #[serde(with = "degrees")]
@@ -147,7 +147,7 @@ pub struct SliceSpec {
     pub limits: Option<[f64; 2]>,
     /// The angle under the probe, in radians.
     #[serde(skip)]
-    pub probe: Option<Mark>,
+    pub probe: Option<ProbeMark>,
 }
 
 impl Default for SliceSpec {
@@ -171,7 +171,7 @@ impl Default for SliceSpec {
 }
 
 impl SliceSpec {
-    /// How many slices there are: one per θi over θo, else one.
+    /// Number of slices: one per θi over θo, else one.
     pub fn slices(&self) -> usize {
         if self.over == Over::ThetaO {
             self.theta_i.len()
@@ -209,7 +209,7 @@ impl SliceSpec {
         }
     }
 
-    /// What is plotted of `subject`, in 1/sr; `None` below the horizon and where it has no finite value.
+    /// Plotted value of `subject` at the angle `x`, in 1/sr; `None` below the horizon and where it is not finite.
     pub fn value(&self, subject: &Subject, slice: usize, x: f64) -> Option<f64> {
         let (wi, wo) = self.pair(slice, x);
         let cosine = self.cosine.of(wi.z, wo.z);

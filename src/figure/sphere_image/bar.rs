@@ -1,4 +1,4 @@
-//! What the colours of a compared sphere mean.
+//! Colour bar of a compared sphere: its ticks, unit and names.
 
 use crate::figure::scale::number;
 use crate::figure::text::RichText;
@@ -34,7 +34,7 @@ pub fn error_ticks(error: SphereError, stops: f64) -> Vec<(f32, RichText)> {
     }
 }
 
-/// What is compared, in full and in a word.
+/// Names of the compared quantity: in full and in a word.
 pub fn error_names(error: SphereError) -> [&'static str; 2] {
     match error {
         SphereError::Difference => ["|model − measured|", "difference"],

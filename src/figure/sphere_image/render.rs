@@ -21,23 +21,23 @@ pub struct LinearImage {
     size: usize,
     /// Rows from above. Premultiplied linear RGB, then the share of the pixel that the measured part of the sphere covers.
     pixels: Vec<[f32; 4]>,
-    /// How much of a pixel is unmeasured: its samples on the dark stripes of the hatch, and on the light ones.
+    /// Unmeasured samples of each pixel: those on the dark stripes of the hatch, and on the light ones.
     unmeasured: Vec<[u16; 2]>,
-    /// How many samples a pixel has.
+    /// Number of samples in a pixel.
     samples: usize,
-    /// What is behind the sphere in linear RGB; `None` is transparent.
+    /// Background in linear RGB; `None` is transparent.
     pub background: Option<Rgb>,
 }
 
 /// Draws a sphere on `size` × `size` pixels with [`SAMPLES_A_SIDE`]² samples in each, averaged in linear light; as large
 /// as the one on screen, which leaves a pixel around it free. The background is transparent.
 ///
-/// The same bytes on every run. A table takes about 1 µs of processor time a sample.
+/// Deterministic: the same bytes on every run. A table takes about 1 µs of processor time a sample.
 pub fn render(source: &SphereSource, view: &SphereView, size: usize) -> LinearImage {
     render_part(source, view, Sight::default(), size)
 }
 
-/// The same of the part of a sphere that is in sight.
+/// Draws the part of a sphere that is in sight, as [`render`] does.
 pub fn render_part(
     source: &SphereSource,
     view: &SphereView,
@@ -47,7 +47,7 @@ pub fn render_part(
     sampled(source, view, sight, size, SAMPLES_A_SIDE)
 }
 
-/// The same with a grid of `side` × `side` samples in each pixel.
+/// Draws the part of a sphere that is in sight with a grid of `side` × `side` samples in each pixel.
 pub(super) fn sampled(
     source: &SphereSource,
     view: &SphereView,

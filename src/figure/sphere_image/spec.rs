@@ -13,9 +13,9 @@ use serde::{Deserialize, Serialize};
 pub struct SphereSpec {
     /// Lights and exposure.
     pub view: SphereView,
-    /// What is on it.
+    /// Content of the sphere.
     pub show: SphereShow,
-    /// Where the line between data and model is: −1 at the left rim, 1 at the right.
+    /// Place of the line between data and model: −1 at the left rim, 1 at the right.
     pub split: f64,
     /// The part in sight.
     #[serde(skip_serializing_if = "is_all")]
@@ -37,7 +37,7 @@ fn is_all(sight: &Sight) -> bool {
     *sight == Sight::default()
 }
 
-/// What is on a sphere.
+/// Content of a sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SphereShow {
@@ -47,7 +47,7 @@ pub enum SphereShow {
     Model,
     /// Data left of a line, model right of it.
     Split,
-    /// How far they are apart, in colours.
+    /// Error of the model against the data, as colours.
     Error(SphereError),
 }
 

@@ -93,7 +93,7 @@ fn the_axis_has_a_mark_at_both_ends() {
     for (most, least) in [(0.31, 0.29), (0.9, 0.1), (3.0, 0.04)] {
         let points = [point(1, 1, most, true), point(2, 9, least, true)];
         let placed = laid_out(&points);
-        let view = View::of(&placed, &Canvas::new(SIZE));
+        let view = TraceView::of(&placed, &TraceCanvas::new(SIZE));
         assert!(view.low <= 100.0 * least && view.high >= 100.0 * most);
         assert!(view.high >= 1.8 * view.low && view.high < 40.0 * view.high);
         let texts = texts(&drawn(&points));

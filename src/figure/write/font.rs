@@ -3,7 +3,7 @@
 //! Letters stand at their own widths, without kerning: a part of the font that an SVG carries has none either.
 
 use crate::figure::drawing::{LINE_HEIGHT, Label};
-use crate::figure::text::Level;
+use crate::figure::text::ScriptLevel;
 use skrifa::instance::{LocationRef, Size};
 use skrifa::{FontRef, MetadataProvider as _};
 use std::sync::LazyLock;
@@ -11,21 +11,21 @@ use std::sync::LazyLock;
 /// The whole font.
 pub static BYTES: &[u8] = include_bytes!("../../../assets/fonts/LiberationSans-Regular.ttf");
 
-/// Its name.
+/// Family name of the font.
 pub const FAMILY: &str = "Liberation Sans";
 
-/// Where the line stands below the middle of a line of text, in units of the font size.
+/// Baseline below the middle of a line of text, in units of the font size.
 const BASELINE_EM: f32 = 0.345;
-/// How far scripts stand from the line, in units of the size of the text around them; downwards.
+/// Distance of scripts from the line, in units of the size of the text around them; downwards.
 const SUB_EM: f32 = 0.2;
 const SUP_EM: f32 = -0.36;
 
 /// A letter of the font.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Glyph {
-    /// Its number in the font; 0, an empty box, where the font lacks it.
+    /// Number of the glyph in the font; 0, an empty box, where the font lacks it.
     pub id: u32,
-    /// Its width in units of the font size.
+    /// Advance width in units of the font size.
     pub advance: f32,
 }
 
@@ -54,7 +54,7 @@ pub fn width_em(text: &str) -> f32 {
 /// A run of a label where it is drawn, seen from the label's position before it is turned.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlacedRun<'a> {
-    /// What it says.
+    /// Characters of the piece.
     pub text: &'a str,
     /// Left end of the line it stands on, in points.
     pub start: [f32; 2],
@@ -64,7 +64,7 @@ pub struct PlacedRun<'a> {
 
 /// The runs of a label, and the box around all of them (upper left, lower right), before it is turned.
 pub fn placed(label: &Label) -> (Vec<PlacedRun<'_>>, [[f32; 2]; 2]) {
-    let size_of = |level: Level| label.size * level.relative_size();
+    let size_of = |level: ScriptLevel| label.size * level.relative_size();
     let runs = &label.text.runs;
     let widths: Vec<f32> = runs
         .iter()
@@ -87,11 +87,11 @@ pub fn placed(label: &Label) -> (Vec<PlacedRun<'_>>, [[f32; 2]; 2]) {
     (placed, [[left, top], [left + width, top + height]])
 }
 
-fn rise(level: Level) -> f32 {
+fn rise(level: ScriptLevel) -> f32 {
     match level {
-        Level::Base => 0.0,
-        Level::Sub => SUB_EM,
-        Level::Sup => SUP_EM,
+        ScriptLevel::Base => 0.0,
+        ScriptLevel::Sub => SUB_EM,
+        ScriptLevel::Sup => SUP_EM,
     }
 }
 

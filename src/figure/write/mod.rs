@@ -5,8 +5,8 @@
 //!                                  └─▶ pdf
 //! ```
 //!
-//! All of them place text by the same metrics ([`font`]), so that no format differs from another. The same paper gives
-//! the same bytes.
+//! Text is placed by the same metrics ([`font`]) in all of them, so that no format differs from another. The same paper
+//! gives the same bytes.
 
 pub mod font;
 pub mod pdf;
@@ -19,9 +19,9 @@ use super::palette::Palette;
 /// A drawing with what it is printed on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Paper {
-    /// Its points are those of print: 72 to the inch.
+    /// Drawing in points of print: 72 to the inch.
     pub drawing: Drawing,
-    /// Its colours.
+    /// Colours of the roles.
     pub palette: Palette,
     /// sRGB of the page; transparent without.
     pub ground: Option<[u8; 3]>,
@@ -32,7 +32,7 @@ pub struct Paper {
 /// Points of print in a millimetre.
 pub const POINTS_PER_MM: f64 = 72.0 / 25.4;
 
-/// What a file says made it.
+/// Creator that is named in a file.
 pub(crate) const CREATOR: &str = concat!("Grazing ", env!("CARGO_PKG_VERSION"));
 
 #[cfg(test)]

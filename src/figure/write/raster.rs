@@ -65,7 +65,7 @@ fn pixels_of(points: f32, dpi: f64) -> u32 {
     pixels.round() as u32
 }
 
-/// How an SVG of ours is read: with the font that it was made for.
+/// Options for reading our SVG: with the font that it was made for.
 pub fn options() -> usvg::Options<'static> {
     static FONTS: LazyLock<Arc<usvg::fontdb::Database>> = LazyLock::new(|| {
         let mut fonts = usvg::fontdb::Database::new();

@@ -201,7 +201,7 @@ fn text(out: &mut String, label: &Label, paper: &Paper) {
     out.push_str("</text>\n");
 }
 
-/// How much of what is behind a halo it covers.
+/// Opacity of a halo over what is behind it.
 pub(super) const HALO: f32 = 0.75;
 
 fn path(points: &[Point]) -> String {

@@ -10,7 +10,7 @@ use std::f32::consts::FRAC_PI_2;
 const RED: Role = Role::Fixed([200, 0, 0]);
 const BLUE: Role = Role::Fixed([0, 0, 200]);
 
-/// One of everything on 100 × 60 points.
+/// Drawing with one item of every kind on 100 × 60 points.
 fn paper() -> Paper {
     let mut drawing = Drawing::new([100.0, 60.0]);
     let square = vec![[10.0, 10.0], [30.0, 10.0], [30.0, 30.0], [10.0, 30.0]];

@@ -29,9 +29,9 @@ const MARGIN: f32 = 14.0;
 
 /// A page that was drawn.
 pub struct Drawn {
-    /// Its beginning.
+    /// Rectangle of the page's beginning.
     pub top: Rect,
-    /// Where its headings are, in order.
+    /// Rectangles of the headings, in order.
     pub headings: Vec<Rect>,
     /// The link that was clicked.
     pub clicked: Option<String>,
@@ -174,7 +174,7 @@ fn text_color(ui: &Ui) -> Color32 {
     ui.visuals().widgets.inactive.text_color()
 }
 
-/// What lies behind code.
+/// Background colour of code.
 fn code_ground(ui: &Ui) -> Color32 {
     ui.visuals().text_color().gamma_multiply(0.13)
 }

@@ -3,7 +3,7 @@
 use crate::app::msg::Msg;
 use crate::app::msg::library::LibraryMsg;
 use crate::app::state::State;
-use crate::app::state::library::{Examined, Folder, FolderFile, Kind, Target};
+use crate::app::state::library::{Examined, FileKind, Folder, FolderFile, PendingTarget};
 use crate::app::widgets::formula::{number, percent};
 use crate::brdf::ParamId;
 use crate::figure::text::{RichText, elided};
@@ -40,12 +40,12 @@ pub fn files_ui(ui: &mut egui::Ui, state: &State, folder: &Folder, out: &mut Vec
     ui.data_mut(|data| data.insert_temp(offset_id(), offset));
 }
 
-/// Where the list was scrolled to last.
+/// Id of the last scroll offset of the list.
 fn offset_id() -> egui::Id {
     egui::Id::unique("library offset")
 }
 
-/// Where to scroll to after a step by keys, so that its row is in sight with one more above and below.
+/// Scroll offset in points after a step by keys, so that its row is in sight with one more above and below.
 fn offset_to_reveal(ui: &egui::Ui, state: &State, folder: &Folder, rows: &[usize]) -> Option<f32> {
     let id = egui::Id::unique("library has revealed");
     let seen: u64 = ui.data(|data| data.get_temp(id)).unwrap_or(0);
@@ -67,12 +67,12 @@ fn offset_to_reveal(ui: &egui::Ui, state: &State, folder: &Folder, rows: &[usize
 fn file_ui(ui: &mut egui::Ui, state: &State, file: &FolderFile, id: egui::Id, out: &mut Vec<Msg>) {
     let (_, rect) = ui.allocate_space(vec2(ui.available_width(), ROW));
     let response = ui.interact(rect, id, Sense::click());
-    let can_open = !matches!(file.kind, Kind::Other(_));
+    let can_open = !matches!(file.kind, FileKind::Other(_));
     let position = state.position_of_file(&file.path);
     let shown = position == Some(state.scene.selected) && position.is_some();
     let is_pending = matches!(
         &state.library.pending,
-        Some(pending) if matches!(&pending.target, Target::File { path, .. } if *path == file.path)
+        Some(pending) if matches!(&pending.target, PendingTarget::File { path, .. } if *path == file.path)
     );
     response.widget_info(|| {
         egui::WidgetInfo::selected(egui::Role::Button, can_open, shown, &file.name)
@@ -151,28 +151,28 @@ fn picture_ui(ui: &egui::Ui, file: &FolderFile, row: Rect) {
         let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
         let texture = examined.thumbnail.0.id();
         ui.painter().image(texture, rect, whole, Color32::WHITE);
-    } else if !matches!(file.kind, Kind::Other(_)) {
+    } else if !matches!(file.kind, FileKind::Other(_)) {
         let stroke = egui::Stroke::new(1.0, ui.visuals().weak_text_color().gamma_multiply(0.4));
         let radius = 0.5 * THUMBNAIL - 1.0;
         ui.painter().circle_stroke(center, radius, stroke);
     }
 }
 
-/// What a row says below the name: what is known of the file, and its best fit.
-fn lines(kind: &Kind, best: Option<&FitRecord>) -> [String; 2] {
+/// Lines of a row below the name: what is known of the file, and its best fit.
+fn lines(kind: &FileKind, best: Option<&FitRecord>) -> [String; 2] {
     let first = match kind {
-        Kind::Unknown => String::new(),
-        Kind::Measured(None) => "…".into(),
-        Kind::Measured(Some(examined)) => {
+        FileKind::Unknown => String::new(),
+        FileKind::Measured(None) => "…".into(),
+        FileKind::Measured(Some(examined)) => {
             format!(
                 "{}, {:.0} % valid",
                 width(examined),
                 100.0 * examined.valid_share
             )
         }
-        Kind::Models(1) => "Fit file, 1 material".into(),
-        Kind::Models(count) => format!("Fit file, {count} materials"),
-        Kind::Other(reason) => reason.clone(),
+        FileKind::Models(1) => "Fit file, 1 material".into(),
+        FileKind::Models(count) => format!("Fit file, {count} materials"),
+        FileKind::Other(reason) => reason.clone(),
     };
     [first, best.map(fit_text).unwrap_or_default()]
 }
@@ -201,16 +201,16 @@ fn hover_ui(ui: &mut egui::Ui, file: &FolderFile, best: Option<&FitRecord>) {
     ui.set_max_width(380.0);
     ui.label(&file.name);
     match &file.kind {
-        Kind::Other(reason) => {
+        FileKind::Other(reason) => {
             ui.weak(reason);
         }
-        Kind::Models(_) => {
+        FileKind::Models(_) => {
             ui.weak("A click opens its materials with their models.");
         }
-        Kind::Unknown | Kind::Measured(None) => {
+        FileKind::Unknown | FileKind::Measured(None) => {
             ui.weak("Not read yet.");
         }
-        Kind::Measured(Some(examined)) => {
+        FileKind::Measured(Some(examined)) => {
             ui.weak(format!(
                 "{:.1} % of the cells are valid.",
                 100.0 * examined.valid_share

@@ -5,7 +5,7 @@ use crate::app::msg::Msg;
 use crate::app::msg::library::{FolderMsg, LibraryMsg};
 use crate::app::panels::library::files;
 use crate::app::state::State;
-use crate::app::state::library::listing::{SORT_KEYS, Sort};
+use crate::app::state::library::listing::{FileSort, SORT_KEYS};
 use crate::app::state::library::{Folder, Scan};
 use crate::files::folder::shown_name;
 use egui::{Key, Modifiers};
@@ -38,7 +38,7 @@ fn title_ui(ui: &mut egui::Ui, state: &State, folder: &Folder, out: &mut Vec<Msg
     });
 }
 
-/// How far the scan is, until it is done.
+/// Progress of the scan in words, until it is done.
 fn scanned(folder: &Folder) -> Option<String> {
     match folder.scan {
         Scan::Done => None,
@@ -88,7 +88,7 @@ fn menu_ui(ui: &mut egui::Ui, state: &State, folder: &Folder, out: &mut Vec<Msg>
         .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, "Menu of the folder"));
 }
 
-/// How much memory tables may take.
+/// Draws the limit of the memory for tables.
 fn limit_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     ui.horizontal(|ui| {
         let label = ui.label("Memory");
@@ -133,11 +133,13 @@ fn search_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     });
 }
 
-fn sort_ui(ui: &mut egui::Ui, sort: Sort, out: &mut Vec<Msg>) {
+fn sort_ui(ui: &mut egui::Ui, sort: FileSort, out: &mut Vec<Msg>) {
     let menu = ui.menu_button("Sort", |ui| {
         for (key, name) in SORT_KEYS {
             if ui.selectable_label(sort.key == key, name).clicked() {
-                out.push(Msg::Library(FolderMsg::Sort(Sort { key, ..sort }).into()));
+                out.push(Msg::Library(
+                    FolderMsg::Sort(FileSort { key, ..sort }).into(),
+                ));
             }
         }
         ui.separator();
@@ -147,7 +149,7 @@ fn sort_ui(ui: &mut egui::Ui, sort: Sort, out: &mut Vec<Msg>) {
                 .clicked()
             {
                 out.push(Msg::Library(
-                    FolderMsg::Sort(Sort { descending, ..sort }).into(),
+                    FolderMsg::Sort(FileSort { descending, ..sort }).into(),
                 ));
             }
         }

@@ -4,7 +4,7 @@ use crate::app::msg::Msg;
 use crate::app::msg::library::LibraryMsg;
 use crate::app::msg::session::SessionMsg;
 use crate::app::state::State;
-use crate::app::state::library::Target;
+use crate::app::state::library::PendingTarget;
 use crate::app::state::material::{Origin, Presence};
 use crate::app::widgets::paint;
 use crate::measured::samples::SAMPLES;
@@ -30,7 +30,7 @@ fn material_ui(ui: &mut egui::Ui, state: &State, index: usize, out: &mut Vec<Msg
         .is_some_and(|preview| preview.id == opened.id);
     let is_pending = matches!(
         &state.library.pending,
-        Some(pending) if pending.target == Target::Material(opened.id)
+        Some(pending) if pending.target == PendingTarget::Material(opened.id)
     );
     ui.horizontal(|ui| {
         let (dot, _) = ui.allocate_exact_size(egui::vec2(10.0, 18.0), egui::Sense::hover());
@@ -104,7 +104,7 @@ fn material_ui(ui: &mut egui::Ui, state: &State, index: usize, out: &mut Vec<Msg
     });
 }
 
-/// What was measured, or where the data are.
+/// Words on the data of a material: the share measured, or where the data are.
 fn about(material: &crate::app::state::material::Material) -> String {
     match material.presence {
         Presence::Loaded => {

@@ -1,17 +1,17 @@
 use crate::app::msg::Msg;
 use crate::app::msg::session::SessionMsg;
 use crate::app::reduce::apply;
-use crate::app::session::places::{Found, find};
+use crate::app::session::places::{FoundSession, find};
 use crate::app::session::read::read;
 use crate::app::session::tests::{PATH, found, opened, rich, text};
-use crate::app::state::notice::Level;
+use crate::app::state::notice::Severity;
 use crate::app::state::views::ViewId;
 use crate::app::views::lobes::settings::LobeSettings;
 use serde_json::{Value, json};
 use std::path::Path;
 
 /// The rich session with one value replaced, and what is said of it.
-fn with(pointer: &str, value: Value) -> Found {
+fn with(pointer: &str, value: Value) -> FoundSession {
     let mut session: Value = serde_json::from_str(&text(&rich())).expect("JSON");
     match session.pointer_mut(pointer) {
         Some(place) => *place = value,
@@ -146,7 +146,7 @@ fn what_cannot_be_is_replaced_and_named_in_one_line() {
         assert_eq!(state.scene.opened.len(), 4);
         assert!(state.current().is_some());
         assert_eq!(state.notices.len(), 1);
-        assert_eq!(state.notices[0].level, Level::Info);
+        assert_eq!(state.notices[0].level, Severity::Info);
         let (_, remarks) = read(&text(&state)).expect("a session");
         assert_eq!(remarks, Vec::<String>::new(), "{pointer}");
     }

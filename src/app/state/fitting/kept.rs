@@ -11,11 +11,11 @@ use serde::{Deserialize, Serialize};
 /// A fit that is kept with its material.
 #[derive(Clone, Debug)]
 pub struct KeptFit {
-    /// What it brought.
+    /// Result of the fit.
     pub outcome: Outcome,
-    /// What it was asked.
+    /// Settings it was made with.
     pub setup: Setup,
-    /// How long it took; `None` where nobody knows.
+    /// Duration in seconds; `None` where nobody knows.
     pub seconds: Option<f64>,
     /// All that it said while it ran; may be empty.
     pub trace: Vec<FitProgress>,
@@ -24,12 +24,12 @@ pub struct KeptFit {
 }
 
 impl KeptFit {
-    /// What was fitted.
+    /// Model and Fresnel factor that were fitted.
     pub fn variant(&self) -> Variant {
         Variant::from(&self.outcome.brdf)
     }
 
-    /// The same as fit files keep it.
+    /// Record of the fit, as fit files keep it.
     pub fn record(&self, material: String, source: Option<SourceFile>) -> FitRecord {
         let Setup {
             weight,
@@ -85,7 +85,7 @@ impl From<&FitRecord> for KeptFit {
     }
 }
 
-/// What the table of fits is ordered by.
+/// Order of the table of fits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SortBy {

@@ -10,7 +10,7 @@
 //!                          FitMsg::Done ──▶ Material.fits, one KeptFit per variant
 //! ```
 //!
-//! The scene does not change while a fit runs: [`crate::app::state::State::current`] lays `Run.live` over it, and the end is one edit.
+//! The scene does not change while a fit runs: [`crate::app::state::State::current`] lays `FitRun.live` over it, and the end is one edit.
 //! So the fit is one step of the history whatever else is edited meanwhile. Kept fits, settings and check boxes are
 //! beside the scene: undo brings the model's numbers back, not these.
 //!
@@ -25,16 +25,16 @@ pub mod run;
 pub mod settings;
 
 use crate::app::state::fitting::kept::SortBy;
-use crate::app::state::fitting::run::Run;
-use crate::app::state::fitting::settings::Settings;
+use crate::app::state::fitting::run::FitRun;
+use crate::app::state::fitting::settings::FitSettings;
 
 /// The part of the state that is about fitting.
 #[derive(Debug, Default)]
 pub struct FitState {
-    /// What the next fit is asked.
-    pub settings: Settings,
+    /// Settings of the next fit.
+    pub settings: FitSettings,
     /// The fit under way, or told to stop and not yet gone.
-    pub run: Option<Run>,
+    pub run: Option<FitRun>,
     /// Whether ρ_d and k_s follow the other parameters.
     pub keep_optimal: bool,
     /// Refits of ρ_d and k_s with a smaller number are out of date.

@@ -7,33 +7,33 @@ use crate::fit::{FitProgress, Stage, Variant};
 
 /// A fit under way: of one variant, or of several.
 #[derive(Debug)]
-pub struct Run {
-    /// Its number.
+pub struct FitRun {
+    /// Number of its job.
     pub job: u64,
-    /// Of which material; another one may be shown.
+    /// Material that is fitted; another one may be shown.
     pub material: MaterialId,
-    /// What is fitted, in order.
+    /// Variants that are fitted, in order.
     pub parts: Vec<Part>,
     /// Position of the part that spoke last.
     pub at: usize,
-    /// What it was asked.
+    /// Settings of the fit.
     pub setup: Setup,
     /// Set to make it stop.
     pub cancel: CancelFlag,
-    /// It was told to stop; its outcome is yet to come.
+    /// Whether it was told to stop and its outcome is yet to come.
     pub stopping: bool,
     /// The best so far, shown in place of the scene's model. None for several variants, and none once it is stopped.
     pub live: Option<Opened>,
-    /// What `live` was when the run was stopped.
+    /// Model that `live` was when the run was stopped.
     pub left: Option<Opened>,
 }
 
 /// One variant of a run.
 #[derive(Debug)]
 pub struct Part {
-    /// What is fitted.
+    /// Model and Fresnel factor that are fitted.
     pub variant: Variant,
-    /// Its reports so far.
+    /// Reports so far.
     pub updates: Vec<FitProgress>,
 }
 
@@ -44,7 +44,7 @@ impl Part {
     }
 }
 
-impl Run {
+impl FitRun {
     /// Whether it moves the model of its material: one variant does, several fill the table.
     pub fn drives_model(&self) -> bool {
         self.parts.len() == 1 && !self.stopping

@@ -1,14 +1,14 @@
-//! What a fit is asked, and what is kept of it.
+//! Settings of the next fit, and the setup that is kept with a fit.
 
 use crate::brdf::params::ALL;
 use crate::brdf::{Brdf, ParamId, PerParam};
 use crate::fit::options::{Bounds, NO_LIMIT};
 use crate::fit::{FitOptions, Partial, StageSet, Weight};
 
-/// What the panel says of the next fit.
+/// Settings of the next fit, as the panel says them.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Settings {
-    /// How much a cell counts.
+pub struct FitSettings {
+    /// Weight of the cells in E.
     pub weight: Weight,
     /// Grazing limit in radians.
     pub limit: f64,
@@ -22,7 +22,7 @@ pub struct Settings {
     pub from_sliders: bool,
 }
 
-impl Default for Settings {
+impl Default for FitSettings {
     fn default() -> Self {
         Self {
             weight: Weight::default(),
@@ -35,8 +35,8 @@ impl Default for Settings {
     }
 }
 
-impl Settings {
-    /// What a fit is asked while the sliders stand at `brdf`.
+impl FitSettings {
+    /// Setup of a fit that starts while the sliders stand at `brdf`.
     pub fn setup(&self, brdf: &Brdf) -> Setup {
         let mut options = FitOptions {
             stages: self.stages,
@@ -69,10 +69,10 @@ impl Settings {
     }
 }
 
-/// What a fit was asked.
+/// Settings that a fit was made with.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setup {
-    /// How much a cell counted.
+    /// Weight of the cells in E.
     pub weight: Weight,
     /// Grazing limit in radians.
     pub limit: f64,
@@ -95,7 +95,7 @@ impl Setup {
         began_at_data(self) == began_at_data(other) && with_start_of(other) == *other
     }
 
-    /// In words, for hovering.
+    /// Settings in words, for hovering.
     pub fn text(&self) -> String {
         let mut text = format!(
             "Weight {}, grazing limit {:.0}°",
@@ -140,7 +140,7 @@ mod tests {
 
     #[test]
     fn held_parameters_keep_their_sliders_values() {
-        let mut settings = Settings::default();
+        let mut settings = FitSettings::default();
         settings.held.s = true;
         settings.from_sliders = true;
         let options = settings.setup(&brdf()).options;
@@ -153,12 +153,12 @@ mod tests {
 
     #[test]
     fn only_what_a_fit_is_asked_makes_it_stale() {
-        let settings = Settings::default();
+        let settings = FitSettings::default();
         let made = settings.setup(&brdf());
         let mut moved = brdf();
         moved.params.s *= 2.0;
         assert!(made.asks_the_same(&settings.setup(&moved)));
-        let changes: [fn(&mut Settings); 6] = [
+        let changes: [fn(&mut FitSettings); 6] = [
             |s| s.weight = Weight::Cells,
             |s| s.limit = 1.0,
             |s| s.stages.joint = false,
@@ -172,7 +172,7 @@ mod tests {
             assert!(!made.asks_the_same(&other.setup(&brdf())), "change {k}");
         }
         // A fit from the sliders moves them, and is still what was asked.
-        let from_sliders = Settings {
+        let from_sliders = FitSettings {
             from_sliders: true,
             ..settings
         };
@@ -182,7 +182,7 @@ mod tests {
 
     #[test]
     fn a_fit_of_nothing_is_blocked() {
-        let mut settings = Settings::default();
+        let mut settings = FitSettings::default();
         assert_eq!(settings.blocked(&brdf()), None);
         settings.stages = StageSet::from_iter([Stage::Shape]);
         settings.held = PerParam::from_rows(|row| !row.id.is_color());

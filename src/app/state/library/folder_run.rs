@@ -7,13 +7,13 @@ use crate::app::state::job::{CancelFlag, Hold};
 pub struct FolderRun {
     /// Tells it from older ones.
     pub number: u64,
-    /// How many files it fits.
+    /// Number of files it fits.
     pub total: usize,
-    /// How many are done.
+    /// Number of files that are done.
     pub done: usize,
-    /// How far the present one is, in [0, 1].
+    /// Progress of the present file, in [0, 1].
     pub share: f32,
-    /// Its name.
+    /// Name of the present file.
     pub name: String,
     /// Why files could not be fitted.
     pub failed: Vec<String>,
@@ -30,7 +30,7 @@ impl Drop for FolderRun {
 }
 
 impl FolderRun {
-    /// How far all of it is, in [0, 1].
+    /// Progress of the whole run, in [0, 1].
     pub fn progress(&self) -> f32 {
         (self.done as f32 + self.share.clamp(0.0, 1.0)) / self.total.max(1) as f32
     }

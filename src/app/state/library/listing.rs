@@ -1,11 +1,11 @@
-//! Which files of the folder are listed, and in which order.
+//! List of the folder's files: which are shown, and in which order.
 
-use crate::app::state::library::{Examined, FolderFile, Kind, Library};
+use crate::app::state::library::{Examined, FileKind, FolderFile, Library};
 use crate::brdf::ParamId;
 use std::cmp::Ordering;
 use std::path::{Path, PathBuf};
 
-/// What the files are ordered by.
+/// Quantity that the files are ordered by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SortKey {
     /// Name, with numbers by value.
@@ -32,16 +32,16 @@ pub const SORT_KEYS: [(SortKey, &str); 5] = [
 
 /// An order of the files.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Sort {
-    /// By what.
+pub struct FileSort {
+    /// Quantity that they are ordered by.
     pub key: SortKey,
     /// Whether the largest comes first.
     pub descending: bool,
 }
 
 impl Library {
-    /// What a file of the folder is.
-    pub fn kind_of(&self, path: &Path) -> Option<&Kind> {
+    /// Kind of a file of the folder; `None` where the folder has no such file.
+    pub fn kind_of(&self, path: &Path) -> Option<&FileKind> {
         let mut files = self.folder.as_ref()?.files.iter();
         files.find(|file| file.path == path).map(|file| &file.kind)
     }
@@ -116,17 +116,17 @@ fn in_order(a: Option<f64>, b: Option<f64>, descending: bool) -> Ordering {
 }
 
 impl FolderFile {
-    /// What reading it has brought.
+    /// Content of the file, once it has been read.
     pub fn examined(&self) -> Option<&Examined> {
         match &self.kind {
-            Kind::Measured(examined) => examined.as_ref(),
+            FileKind::Measured(examined) => examined.as_ref(),
             _ => None,
         }
     }
 
     /// Whether it can be opened as a material, as far as is known.
     pub fn is_measured(&self) -> bool {
-        matches!(self.kind, Kind::Measured(_))
+        matches!(self.kind, FileKind::Measured(_))
     }
 }
 
@@ -142,7 +142,7 @@ mod tests {
         let files = names.iter().map(|name| FolderFile {
             path: PathBuf::from(name),
             name: (*name).into(),
-            kind: Kind::Measured(None),
+            kind: FileKind::Measured(None),
         });
         Library {
             folder: Some(Folder {
@@ -180,7 +180,7 @@ mod tests {
             library.keep_fit(name.as_ref(), fit);
         }
         let mut order = |key, descending| {
-            library.sort = Sort { key, descending };
+            library.sort = FileSort { key, descending };
             library.visible()
         };
         assert_eq!(order(SortKey::Name, true), [3, 2, 1, 0]);

@@ -23,7 +23,7 @@ pub mod listing;
 
 use crate::app::state::job::{CancelFlag, Hold};
 use crate::app::state::library::folder_run::FolderRun;
-use crate::app::state::library::listing::Sort;
+use crate::app::state::library::listing::FileSort;
 use crate::app::state::material::MaterialId;
 use crate::brdf::Brdf;
 use crate::files;
@@ -32,7 +32,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// Everything about the open folder and about memory.
+/// The open folder and the memory of tables.
 #[derive(Debug, Default)]
 pub struct Library {
     /// The open folder.
@@ -40,12 +40,12 @@ pub struct Library {
     /// Words that the names must have.
     pub search: String,
     /// Order of the files.
-    pub sort: Sort,
+    pub sort: FileSort,
     /// The file that was asked for last: arrows go on from here. None while they step through the open materials.
     pub cursor: Option<PathBuf>,
     /// Counts the steps by keys, so that the list scrolls to the cursor once for each.
     pub reveal: u64,
-    /// What is shown as soon as it is loaded.
+    /// Material that is shown as soon as it is loaded.
     pub pending: Option<Pending>,
     /// The material that the next file replaces.
     pub preview: Option<Preview>,
@@ -64,11 +64,11 @@ pub struct Library {
 pub struct Folder {
     /// Tells its scan from older ones.
     pub number: u64,
-    /// Where it is, from the root on.
+    /// Path from the root on.
     pub path: PathBuf,
-    /// Its files in natural order.
+    /// Files in natural order.
     pub files: Vec<FolderFile>,
-    /// How far the scan is.
+    /// Progress of the scan.
     pub scan: Scan,
     /// Set to end the scan.
     pub cancel: CancelFlag,
@@ -80,7 +80,7 @@ impl Drop for Folder {
     }
 }
 
-/// How far a folder has been looked at.
+/// Progress of the scan of a folder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scan {
     /// Names are being read.
@@ -94,17 +94,17 @@ pub enum Scan {
 /// A file of the folder.
 #[derive(Debug)]
 pub struct FolderFile {
-    /// From the root on.
+    /// Path from the root on.
     pub path: PathBuf,
-    /// Its name in one line.
+    /// File name in one line.
     pub name: String,
-    /// What it is.
-    pub kind: Kind,
+    /// Kind of the file.
+    pub kind: FileKind,
 }
 
-/// What a file of the folder is.
+/// Kind of a file of the folder.
 #[derive(Clone, Debug)]
-pub enum Kind {
+pub enum FileKind {
     /// Not looked at yet.
     Unknown,
     /// A measured material; what is in it, once it has been read.
@@ -115,7 +115,7 @@ pub enum Kind {
     Other(String),
 }
 
-/// What reading a measured file has brought.
+/// Facts read from a measured file.
 #[derive(Clone, Debug)]
 pub struct Examined {
     /// Share of the cells that are valid, in [0, 1].
@@ -138,23 +138,23 @@ impl fmt::Debug for Thumbnail {
     }
 }
 
-/// What is shown as soon as it is loaded.
+/// Material that is shown as soon as it is loaded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pending {
     /// The job that loads it.
     pub job: u64,
-    /// Its name on screen.
+    /// Display name.
     pub name: String,
-    /// What it is.
-    pub target: Target,
+    /// Material that is to be shown.
+    pub target: PendingTarget,
 }
 
-/// What is to be shown.
+/// Material that is to be shown.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Target {
+pub enum PendingTarget {
     /// A file of the folder; whether it is more than a preview.
     File {
-        /// From the root on.
+        /// Path from the root on.
         path: PathBuf,
         /// Whether the next one leaves it open.
         keep: bool,
@@ -166,9 +166,9 @@ pub enum Target {
 /// A material that the next file replaces as long as its model is as it was opened.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Preview {
-    /// Which one.
+    /// Material that is replaced.
     pub id: MaterialId,
-    /// Its model when it was opened.
+    /// Model over it when it was opened.
     pub brdf: Brdf,
 }
 

@@ -14,7 +14,7 @@ use crate::app::views::albedo::settings::AlbedoSettings;
 use crate::app::views::albedo::work::{MeasuredAlbedo, curves, queries};
 use crate::app::widgets::legend::legend_ui;
 use crate::app::widgets::{controls, paint, probe, zoom};
-use crate::figure::Mark;
+use crate::figure::ProbeMark;
 use crate::figure::albedo::{AlbedoCurve, AlbedoPlot, AlbedoSpec};
 use crate::figure::palette::Palette;
 use crate::figure::samples::{Sample, value_at};
@@ -48,7 +48,7 @@ pub fn albedo_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "Albedo"));
     let curves = curves(&state.caches, &subjects.list);
     let spec = AlbedoSpec {
-        probe: state.probe().map(|probe| Mark {
+        probe: state.probe().map(|probe| ProbeMark {
             at: probe.theta_i(),
             exact: false,
         }),

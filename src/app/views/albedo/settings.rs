@@ -1,4 +1,4 @@
-//! What the albedo plot is set to show, and the jobs that compute its curves.
+//! Settings of the albedo plot, and the jobs that compute its curves.
 //!
 //! Measurements and models are apart: a slider changes the model in milliseconds, a table takes seconds.
 
@@ -9,11 +9,11 @@ use crate::figure::albedo::AlbedoSpec;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
 
-/// What the albedo plot shows.
+/// Settings of the tile of the albedo plot.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct AlbedoSettings {
-    /// Its `probe` is left out: it is filled in while drawing.
+    /// Spec of the plot. Its `probe` is left out: it is filled in while drawing.
     pub spec: AlbedoSpec,
 }
 

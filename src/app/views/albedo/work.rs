@@ -1,4 +1,4 @@
-//! What the view computes in the background.
+//! Computation of the view in the background.
 
 use crate::app::state::cache::{Caches, Query, Update, WhenNewer};
 use crate::figure::albedo::{AlbedoCurve, AlbedoPoint, angles, curve};
@@ -59,7 +59,7 @@ fn compute(
     Some(curves)
 }
 
-/// What is asked for of these subjects: measurements and models.
+/// Queries for the albedos of these subjects: measurements and models.
 pub fn queries(subjects: &[Subject]) -> (MeasuredAlbedo, ModelAlbedo) {
     let of = |measured: bool| {
         let sources = subjects.iter().map(|subject| subject.source.clone());

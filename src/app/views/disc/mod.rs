@@ -8,7 +8,7 @@ pub mod work;
 use crate::app::msg::Msg;
 use crate::app::msg::cache::request;
 use crate::app::state::State;
-use crate::app::state::fitting::run::Run;
+use crate::app::state::fitting::run::FitRun;
 use crate::app::state::probe::Probe;
 use crate::app::state::sources::Sources;
 use crate::app::views::disc::settings::{DiscSettings, with_light_at, with_probe, zoomed};
@@ -47,7 +47,7 @@ pub fn disc_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
     let side = (pixels as usize).next_multiple_of(64).min(MOST_CELLS);
     let query = DiscQuery::new(settings, Sources::of(state), side);
     // A fit under way needs the cores itself: the picture follows when it ends.
-    if !state.current_run().is_some_and(Run::drives_model) {
+    if !state.current_run().is_some_and(FitRun::drives_model) {
         request(&state.caches, &query, out);
     }
     let (Some((_, fresh)), Some((of, field))) =
@@ -130,8 +130,8 @@ fn toolbar_ui(ui: &mut egui::Ui, settings: &DiscSettings, out: &mut Vec<Msg>) {
     });
 }
 
-/// What a plot without marks is made of.
-type Made = (DiscQuery, DiscSpec, String, [f32; 2]);
+/// Inputs of a plot without marks.
+type PlotInputs = (DiscQuery, DiscSpec, String, [f32; 2]);
 
 /// The plot without marks, from the frame before where it is still the same.
 fn plot(
@@ -142,8 +142,8 @@ fn plot(
     size: [f32; 2],
 ) -> Arc<DiscPlot> {
     let id = ui.scope_id().with("plot");
-    let made: Made = (of.clone(), settings.clone(), name.to_string(), size);
-    let kept = ui.data(|data| data.get_temp::<Arc<(Made, Arc<DiscPlot>)>>(id));
+    let made: PlotInputs = (of.clone(), settings.clone(), name.to_string(), size);
+    let kept = ui.data(|data| data.get_temp::<Arc<(PlotInputs, Arc<DiscPlot>)>>(id));
     if let Some(kept) = kept.filter(|kept| kept.0 == made) {
         return Arc::clone(&kept.1);
     }

@@ -4,7 +4,7 @@ use crate::app::state::probe::{Probe, same};
 use crate::app::state::sanitize::limits;
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::Settings;
-use crate::figure::Mark;
+use crate::figure::ProbeMark;
 use crate::figure::disc::DiscSpec;
 use crate::figure::heatmap::ColorScale;
 use crate::geom::directions::{phi, theta, wrap};
@@ -38,13 +38,13 @@ pub fn with_probe(settings: &DiscSettings, probe: Option<Probe>) -> DiscSpec {
 
 /// The place of a probe as θo and φo in radians: its plane of incidence is turned into that of the disc, which is the same
 /// for an isotropic material. Exact where its θi is that of the disc.
-fn mark(settings: &DiscSettings, probe: Probe) -> Mark<[f64; 2]> {
+fn mark(settings: &DiscSettings, probe: Probe) -> ProbeMark<[f64; 2]> {
     let turn = if same(probe.theta_i(), 0.0) {
         0.0
     } else {
         settings.phi_i - phi(probe.wi)
     };
-    Mark {
+    ProbeMark {
         at: [theta(probe.wo), wrap(phi(probe.wo) + turn, TAU)],
         exact: same(probe.theta_i(), settings.theta_i),
     }

@@ -1,4 +1,4 @@
-//! What the view computes in the background.
+//! Computation of the view in the background.
 
 use crate::app::state::cache::{Query, Update, WhenNewer};
 use crate::app::state::sources::Sources;
@@ -10,7 +10,7 @@ use std::ops::ControlFlow;
 /// The values of a disc.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DiscQuery {
-    /// What is shown; colours and marks are left at their defaults, as they change no value.
+    /// Spec of the disc; colours and marks are left at their defaults, as they change no value.
     pub spec: DiscSpec,
     /// Data and model.
     pub sources: Sources,

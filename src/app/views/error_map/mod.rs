@@ -8,17 +8,17 @@ pub mod work;
 use crate::app::msg::Msg;
 use crate::app::msg::cache::request;
 use crate::app::state::State;
-use crate::app::state::fitting::run::Run;
+use crate::app::state::fitting::run::FitRun;
 use crate::app::state::probe::Probe;
 use crate::app::state::shared_table::SharedTable;
 use crate::app::views::error_map::settings::ErrorMapSettings;
 use crate::app::views::error_map::work::ErrorMapQuery;
-use crate::app::widgets::heat::{OnScreen, heat_ui};
+use crate::app::widgets::heat::{HeatOnScreen, heat_ui};
 use crate::app::widgets::{controls, empty, probe};
 use crate::export::fit_output::bins;
-use crate::figure::Mark;
+use crate::figure::ProbeMark;
 use crate::figure::error_map::{ErrorSpec, Plane};
-use crate::figure::heatmap::{Field, Spot};
+use crate::figure::heatmap::{HeatField, HeatSpot};
 use crate::figure::scale::RADIAL_SCALES;
 use crate::fit::error_map::{Bin, ErrorMap};
 use crate::geom::HalfDiff;
@@ -47,7 +47,7 @@ pub fn error_map_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> boo
     };
     // A fit under way needs the cores itself, and so do the frames of a drag: the map follows when it ends.
     let dragged = ui.input(|input| input.pointer.any_down());
-    if !dragged && !state.current_run().is_some_and(Run::drives_model) {
+    if !dragged && !state.current_run().is_some_and(FitRun::drives_model) {
         request(&state.caches, &query, out);
     }
     let Some((made, fresh)) = state.caches.shown(&query) else {
@@ -119,22 +119,22 @@ fn spec(view: &ErrorMapSettings, made: &ErrorMap, probe: Option<Probe>) -> Error
 }
 
 /// The marks of the probe. Hollow where the view holds its two angles only, and not its azimuth.
-fn spots(plane: Plane, probe: Probe) -> Vec<Spot> {
+fn spots(plane: Plane, probe: Probe) -> Vec<HeatSpot> {
     match plane {
         Plane::Directions => {
             let (theta_i, theta_o) = (probe.theta_i(), theta(probe.wo));
             let in_plane = probe.mark_in_plane(theta_i);
-            let mark = |a: f64, b: f64| Mark {
+            let mark = |a: f64, b: f64| ProbeMark {
                 at: [a.to_degrees(), b.to_degrees()],
                 exact: in_plane.exact && in_plane.at >= 0.0,
             };
             vec![
-                Spot::Mirrored(mark(theta_o, theta_i)),
-                Spot::Probe(mark(theta_i, theta_o)),
+                HeatSpot::Mirrored(mark(theta_o, theta_i)),
+                HeatSpot::Probe(mark(theta_i, theta_o)),
             ]
         }
         Plane::HalfDiff => crate::app::views::image::settings::mark(probe, FRAC_PI_2)
-            .map(Spot::Probe)
+            .map(HeatSpot::Probe)
             .into_iter()
             .collect(),
     }
@@ -153,7 +153,7 @@ fn probe_at(plane: Plane, [x, y]: [f64; 2]) -> Option<Probe> {
     }
 }
 
-fn interact(on_screen: &OnScreen, state: &State, plane: Plane, out: &mut Vec<Msg>) {
+fn interact(on_screen: &HeatOnScreen, state: &State, plane: Plane, out: &mut Vec<Msg>) {
     if let Some(probe) = on_screen.clicked().and_then(|at| probe_at(plane, at)) {
         probe::pin(state, probe, out);
     }
@@ -163,7 +163,7 @@ fn interact(on_screen: &OnScreen, state: &State, plane: Plane, out: &mut Vec<Msg
     }
 }
 
-fn tooltip(on_screen: &OnScreen, field: &Field, bins: &[Option<Bin>], total: f64) {
+fn tooltip(on_screen: &HeatOnScreen, field: &HeatField, bins: &[Option<Bin>], total: f64) {
     let Some((column, row)) = on_screen.hovered().and_then(|at| field.find(at)) else {
         return;
     };

@@ -1,22 +1,22 @@
-//! What the error map is set to show, and the job behind it.
+//! Settings of the error map, and the job behind it.
 
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::Settings;
 use crate::figure::error_map::Plane;
-use crate::figure::heatmap::View;
+use crate::figure::heatmap::HeatView;
 use crate::figure::scale::RadialScale;
 use serde::{Deserialize, Serialize};
 
-/// What the tile of the error map is set to.
+/// Settings of the tile of the error map.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct ErrorMapSettings {
-    /// Which axes.
+    /// Axes of the map.
     pub plane: Plane,
-    /// How shares become colours.
+    /// Law from shares to colours.
     pub scale: RadialScale,
     /// The part in sight.
-    pub view: View,
+    pub view: HeatView,
 }
 
 impl Default for ErrorMapSettings {
@@ -24,7 +24,7 @@ impl Default for ErrorMapSettings {
         Self {
             plane: Plane::Directions,
             scale: RadialScale::CubeRoot,
-            view: View::default(),
+            view: HeatView::default(),
         }
     }
 }

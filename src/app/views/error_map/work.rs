@@ -1,4 +1,4 @@
-//! What the view computes in the background.
+//! Computation of the view in the background.
 
 use crate::app::state::cache::{Query, Update, WhenNewer};
 use crate::app::state::shared_table::SharedTable;
@@ -12,7 +12,7 @@ use std::ops::ControlFlow;
 pub struct ErrorMapQuery {
     /// The material.
     pub data: SharedTable,
-    /// How much a cell counts.
+    /// Weight of the cells in E.
     pub weight: Weight,
     /// Grazing limit in radians.
     pub limit: f64,

@@ -18,14 +18,14 @@ pub struct Columns {
     pub width: f32,
     /// Whether names are short, and the times left out.
     pub narrow: bool,
-    /// Where names begin.
+    /// Left end of the names.
     pub name: f32,
     /// Right ends: E, E at grazing angles, s, α, η, and the time where there is room.
     pub right: Vec<f32>,
 }
 
 impl Columns {
-    /// For a tile of this width; wider than that where it is too narrow for a table.
+    /// Columns of a tile of this width; wider than that where it is too narrow for a table.
     pub fn new(width: f32) -> Self {
         let width = width.max(NARROW.0);
         let narrow = width < NARROW.1;
@@ -48,7 +48,7 @@ impl Columns {
         }
     }
 
-    /// Where the name has to end.
+    /// Right end of the names.
     pub fn name_end(&self) -> f32 {
         self.right[0] - if self.narrow { 44.0 } else { 52.0 }
     }

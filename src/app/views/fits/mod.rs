@@ -9,7 +9,7 @@ use crate::app::msg::Msg;
 use crate::app::msg::fit::FitMsg;
 use crate::app::state::State;
 use crate::app::state::fitting::kept::{short_variant_name, variant_name};
-use crate::app::state::fitting::run::Run;
+use crate::app::state::fitting::run::FitRun;
 use crate::app::state::subjects::look_beside;
 use crate::app::widgets::formula::{hundredths, number};
 use crate::app::widgets::paint::rich_text_job;
@@ -19,7 +19,7 @@ use crate::figure::palette::{Palette, Role};
 use crate::figure::text::RichText;
 use egui::{Color32, Rect, Sense, UiBuilder, Vec2, pos2, vec2};
 use head::{Columns, ROW, header_ui};
-use rows::{Mark, Row};
+use rows::{FitRow, RowRemark};
 
 /// Draws the tile, which has no place for the probe.
 pub fn fits_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
@@ -81,8 +81,8 @@ fn toolbar_ui(ui: &mut egui::Ui, state: &State, name: &str, out: &mut Vec<Msg>) 
     ui.add_space(4.0);
 }
 
-/// What a run is at, in words.
-fn under_way(run: &Run) -> String {
+/// Activity of a run, in words.
+fn under_way(run: &FitRun) -> String {
     if run.stopping {
         return "Stopping".into();
     }
@@ -98,7 +98,7 @@ fn under_way(run: &Run) -> String {
     }
 }
 
-fn row_ui(ui: &mut egui::Ui, state: &State, row: &Row, columns: &Columns, out: &mut Vec<Msg>) {
+fn row_ui(ui: &mut egui::Ui, state: &State, row: &FitRow, columns: &Columns, out: &mut Vec<Msg>) {
     let name = variant_name(row.variant);
     let (rect, response) = ui.allocate_exact_size(vec2(columns.width, ROW), Sense::click());
     let can_show = row.kept.is_some();
@@ -114,9 +114,9 @@ fn row_ui(ui: &mut egui::Ui, state: &State, row: &Row, columns: &Columns, out: &
         ui.painter().rect_filled(rect, 3.0, fill);
     }
     let color = match row.mark {
-        Mark::None | Mark::Best => visuals.strong_text_color(),
-        Mark::Fitting | Mark::Cancelled => visuals.text_color(),
-        Mark::Waiting | Mark::Stale => visuals.weak_text_color(),
+        RowRemark::None | RowRemark::Best => visuals.strong_text_color(),
+        RowRemark::Fitting | RowRemark::Cancelled => visuals.text_color(),
+        RowRemark::Waiting | RowRemark::Stale => visuals.weak_text_color(),
     };
     tick_ui(ui, state, row, rect, &name, out);
     let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
@@ -169,9 +169,9 @@ fn row_ui(ui: &mut egui::Ui, state: &State, row: &Row, columns: &Columns, out: &
     }
 }
 
-fn tag_color(ui: &egui::Ui, mark: Mark) -> Color32 {
+fn tag_color(ui: &egui::Ui, mark: RowRemark) -> Color32 {
     match mark {
-        Mark::Best => paint::role_color(ui.visuals().dark_mode, Role::Accent),
+        RowRemark::Best => paint::role_color(ui.visuals().dark_mode, Role::Accent),
         _ => ui.visuals().weak_text_color(),
     }
 }
@@ -180,7 +180,7 @@ fn tag_color(ui: &egui::Ui, mark: Mark) -> Color32 {
 fn tick_ui(
     ui: &mut egui::Ui,
     state: &State,
-    row: &Row,
+    row: &FitRow,
     rect: Rect,
     name: &str,
     out: &mut Vec<Msg>,
@@ -222,7 +222,7 @@ fn tick_ui(
     paint::paint(ui.painter(), at, &swatch, &palette);
 }
 
-impl Row<'_> {
+impl FitRow<'_> {
     /// The numbers, as markup.
     fn cells(&self) -> [String; 6] {
         let number_or_dash = |value: Option<f64>| value.map_or("–".into(), number);

@@ -2,13 +2,13 @@
 
 use crate::app::state::State;
 use crate::app::state::fitting::kept::{KeptFit, SortBy};
-use crate::app::state::fitting::run::{Part, Run};
+use crate::app::state::fitting::run::{FitRun, Part};
 use crate::brdf::Brdf;
 use crate::fit::Variant;
 
 /// A row.
-pub struct Row<'a> {
-    /// What was or is fitted.
+pub struct FitRow<'a> {
+    /// Model and Fresnel factor that were or are fitted.
     pub variant: Variant,
     /// The fit that is kept, if one is.
     pub kept: Option<&'a KeptFit>,
@@ -18,24 +18,24 @@ pub struct Row<'a> {
     pub error: Option<f64>,
     /// E over the grazing cells.
     pub grazing: Option<f64>,
-    /// How long it took.
+    /// Duration in seconds.
     pub seconds: Option<f64>,
-    /// What stands beside its name.
-    pub mark: Mark,
+    /// Remark beside its name.
+    pub mark: RowRemark,
     /// Whether the sliders stand where it ended.
     pub shown: bool,
 }
 
-/// What is to be said of a row.
+/// Remark on a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mark {
-    /// Nothing.
+pub enum RowRemark {
+    /// No remark.
     None,
     /// The smallest E of those that were asked the same.
     Best,
     /// Being fitted.
     Fitting,
-    /// To be fitted.
+    /// Yet to be fitted.
     Waiting,
     /// Made with other settings than those set now.
     Stale,
@@ -43,8 +43,8 @@ pub enum Mark {
     Cancelled,
 }
 
-impl Mark {
-    /// Its word.
+impl RowRemark {
+    /// Word of the remark.
     pub fn text(self) -> Option<&'static str> {
         match self {
             Self::None => None,
@@ -58,11 +58,11 @@ impl Mark {
 }
 
 /// The rows of the shown material, in order.
-pub fn rows(state: &State) -> Vec<Row<'_>> {
+pub fn rows(state: &State) -> Vec<FitRow<'_>> {
     let Some((material, opened)) = state.current() else {
         return Vec::new();
     };
-    let mut rows: Vec<Row> = material
+    let mut rows: Vec<FitRow> = material
         .fits
         .iter()
         .map(|kept| of_kept(state, kept, &opened.brdf))
@@ -73,7 +73,7 @@ pub fn rows(state: &State) -> Vec<Row<'_>> {
             match rows.iter_mut().find(|other| other.variant == part.variant) {
                 Some(other) if row.error.is_none() => other.mark = row.mark,
                 Some(other) => {
-                    *other = Row {
+                    *other = FitRow {
                         kept: other.kept,
                         ..row
                     };
@@ -83,9 +83,9 @@ pub fn rows(state: &State) -> Vec<Row<'_>> {
         }
     }
     mark_best(&mut rows);
-    let by_name = |row: &Row| (row.variant.fresnel.index(), row.variant.model.index());
+    let by_name = |row: &FitRow| (row.variant.fresnel.index(), row.variant.model.index());
     rows.sort_by_key(by_name);
-    let key = |row: &Row| match state.fit.sort {
+    let key = |row: &FitRow| match state.fit.sort {
         SortBy::Name => 0.0,
         SortBy::Error => row.error.unwrap_or(f64::INFINITY),
         SortBy::Grazing => row.grazing.unwrap_or(f64::INFINITY),
@@ -94,9 +94,9 @@ pub fn rows(state: &State) -> Vec<Row<'_>> {
     rows
 }
 
-fn of_kept<'a>(state: &State, kept: &'a KeptFit, shown: &Brdf) -> Row<'a> {
+fn of_kept<'a>(state: &State, kept: &'a KeptFit, shown: &Brdf) -> FitRow<'a> {
     let outcome = &kept.outcome;
-    Row {
+    FitRow {
         variant: kept.variant(),
         kept: Some(kept),
         brdf: Some(outcome.brdf),
@@ -104,19 +104,19 @@ fn of_kept<'a>(state: &State, kept: &'a KeptFit, shown: &Brdf) -> Row<'a> {
         grazing: outcome.errors.grazing,
         seconds: kept.seconds,
         mark: if state.is_stale(kept) {
-            Mark::Stale
+            RowRemark::Stale
         } else if kept.is_cancelled() {
-            Mark::Cancelled
+            RowRemark::Cancelled
         } else {
-            Mark::None
+            RowRemark::None
         },
         shown: outcome.brdf == *shown,
     }
 }
 
-fn of_part<'a>(run: &Run, position: usize, part: &Part) -> Row<'a> {
+fn of_part<'a>(run: &FitRun, position: usize, part: &Part) -> FitRow<'a> {
     let best = part.best();
-    Row {
+    FitRow {
         variant: part.variant,
         kept: None,
         brdf: best.map(|best| best.brdf),
@@ -124,27 +124,27 @@ fn of_part<'a>(run: &Run, position: usize, part: &Part) -> Row<'a> {
         grazing: None,
         seconds: None,
         mark: if position == run.at && !run.stopping {
-            Mark::Fitting
+            RowRemark::Fitting
         } else if best.is_some() || run.stopping {
-            Mark::None
+            RowRemark::None
         } else {
-            Mark::Waiting
+            RowRemark::Waiting
         },
         shown: false,
     }
 }
 
 /// The best of those that were asked the same; of one alone it says nothing.
-fn mark_best(rows: &mut [Row]) {
-    let mut comparable: Vec<&mut Row> = rows
+fn mark_best(rows: &mut [FitRow]) {
+    let mut comparable: Vec<&mut FitRow> = rows
         .iter_mut()
-        .filter(|row| row.kept.is_some() && row.mark == Mark::None && row.error.is_some())
+        .filter(|row| row.kept.is_some() && row.mark == RowRemark::None && row.error.is_some())
         .collect();
     if comparable.len() < 2 {
         return;
     }
     comparable.sort_by(|a, b| a.error.unwrap_or(1e9).total_cmp(&b.error.unwrap_or(1e9)));
     if let Some(best) = comparable.first_mut() {
-        best.mark = Mark::Best;
+        best.mark = RowRemark::Best;
     }
 }

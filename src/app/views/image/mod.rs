@@ -11,10 +11,10 @@ use crate::app::state::sources::Sources;
 use crate::app::views::image::settings::{ImageSettings, with_probe};
 use crate::app::views::slices::settings::SliceSettings;
 use crate::app::widgets::formula::number;
-use crate::app::widgets::heat::{OnScreen, heat_ui};
+use crate::app::widgets::heat::{HeatOnScreen, heat_ui};
 use crate::app::widgets::paint::plain;
 use crate::app::widgets::{controls, probe};
-use crate::figure::heatmap::{Cell, Field};
+use crate::figure::heatmap::{Cell, HeatField};
 use crate::figure::image_slice::ImageSpec;
 use crate::figure::scale::RADIAL_SCALES;
 use crate::figure::shown::{SHOWN, Shown};
@@ -86,8 +86,8 @@ fn toolbar_ui(ui: &mut egui::Ui, view: &ImageSettings, out: &mut Vec<Msg>) {
 /// The cells that are shown, and those that the colours are made for.
 struct Fields {
     of: (ImageSpec, Sources),
-    shown: Field,
-    reference: Field,
+    shown: HeatField,
+    reference: HeatField,
 }
 
 /// The fields from the frame before, where they are still the same.
@@ -131,7 +131,7 @@ fn fields(ui: &egui::Ui, spec: &ImageSpec, sources: &Sources) -> Arc<Fields> {
 }
 
 fn interact(
-    on_screen: &OnScreen,
+    on_screen: &HeatOnScreen,
     state: &State,
     spec: &ImageSpec,
     sources: &Sources,
@@ -167,7 +167,7 @@ fn clicked(state: &State, probe: Probe, angles: HalfDiff, out: &mut Vec<Msg>) {
     }
 }
 
-fn tooltip(on_screen: &OnScreen, spec: &ImageSpec, sources: &Sources, at: HalfDiff) {
+fn tooltip(on_screen: &HeatOnScreen, spec: &ImageSpec, sources: &Sources, at: HalfDiff) {
     // Of the cell, not of the place in it.
     let grid = crate::measured::Grid::FOLDED;
     let (theta_h, theta_d, _) = grid.bins_of(at);

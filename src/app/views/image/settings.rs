@@ -4,7 +4,7 @@ use crate::app::state::probe::{Probe, same};
 use crate::app::state::sanitize::limits;
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::Settings;
-use crate::figure::Mark;
+use crate::figure::ProbeMark;
 use crate::figure::image_slice::ImageSpec;
 use std::f64::consts::PI;
 
@@ -30,13 +30,13 @@ pub fn with_probe(settings: &ImageSettings, probe: Option<Probe>) -> ImageSpec {
     }
 }
 
-/// Where a probe is on θh and θd, in degrees; exact where its φd is that of the picture.
-pub fn mark(probe: Probe, phi_d: f64) -> Option<Mark<[f64; 2]>> {
+/// Mark of a probe on θh and θd, in degrees; exact where its φd is that of the picture.
+pub fn mark(probe: Probe, phi_d: f64) -> Option<ProbeMark<[f64; 2]>> {
     let angles = probe.angles()?;
     let apart = (angles.phi_d - phi_d).rem_euclid(PI);
     // φd means nothing in the mirror direction and where light and view are the same.
     let any = same(angles.theta_h, 0.0) || same(angles.theta_d, 0.0);
-    Some(Mark {
+    Some(ProbeMark {
         at: [angles.theta_h.to_degrees(), angles.theta_d.to_degrees()],
         exact: any || same(apart.min(PI - apart), 0.0),
     })

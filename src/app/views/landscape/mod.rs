@@ -12,11 +12,11 @@ use crate::app::views::landscape::settings::LandscapeSettings;
 use crate::app::views::landscape::work::{LandscapeQuery, path, place};
 use crate::app::widgets::empty;
 use crate::app::widgets::formula::number;
-use crate::app::widgets::heat::{OnScreen, heat_ui};
+use crate::app::widgets::heat::{HeatOnScreen, heat_ui};
 use crate::app::widgets::paint::plain;
 use crate::brdf::Fresnel;
 use crate::export::fit_output::terrain;
-use crate::figure::heatmap::View;
+use crate::figure::heatmap::HeatView;
 use crate::figure::landscape::{LandscapeSpec, Terrain};
 use crate::fit::landscape::{Eta, Landscape};
 
@@ -99,11 +99,11 @@ fn toolbar_ui(
             }
         }
         if ui
-            .add_enabled(view.view != View::default(), egui::Button::new("Whole"))
+            .add_enabled(view.view != HeatView::default(), egui::Button::new("Whole"))
             .on_hover_text("Show the whole landscape again")
             .clicked()
         {
-            out.push(set(view, |view| view.view = View::default()));
+            out.push(set(view, |view| view.view = HeatView::default()));
         }
         let Some(query) = query else {
             return;
@@ -139,7 +139,7 @@ fn no_terrain() -> Terrain {
     }
 }
 
-fn tooltip(on_screen: &OnScreen, landscape: &Landscape) {
+fn tooltip(on_screen: &HeatOnScreen, landscape: &Landscape) {
     let Some([s, alpha]) = on_screen.hovered() else {
         return;
     };

@@ -1,18 +1,18 @@
-//! What the error landscape is set to show, and the job behind it.
+//! Settings of the error landscape, and the job behind it.
 
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::Settings;
-use crate::figure::heatmap::View;
+use crate::figure::heatmap::HeatView;
 use serde::{Deserialize, Serialize};
 
-/// What the tile of the error landscape is set to.
+/// Settings of the tile of the error landscape.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct LandscapeSettings {
     /// Whether η is the best one at each point instead of the slider's.
     pub solve_eta: bool,
     /// The part in sight.
-    pub view: View,
+    pub view: HeatView,
 }
 
 impl Settings for LandscapeSettings {

@@ -1,4 +1,4 @@
-//! What the view computes in the background.
+//! Computation of the view in the background.
 
 use crate::app::state::State;
 use crate::app::state::cache::{Query, Update, WhenNewer};
@@ -14,19 +14,19 @@ use std::ops::ControlFlow;
 pub struct LandscapeQuery {
     /// The material.
     pub data: SharedTable,
-    /// How much a cell counts.
+    /// Weight of the cells in E.
     pub weight: Weight,
     /// Grazing limit in radians.
     pub limit: f64,
     /// The factor on the specular term.
     pub fresnel: Fresnel,
-    /// What becomes of η.
+    /// Treatment of η: fixed, or optimised at every node.
     pub eta: Eta,
 }
 
 impl LandscapeQuery {
-    /// For the shown material and the model over it. A fit under way moves η with every word: the query stays with
-    /// where the sliders stood.
+    /// Query for the shown material and the model over it. A fit under way moves η with every report: the query stays
+    /// with the place of the sliders.
     pub fn of(state: &State) -> Option<Self> {
         let (material, _) = state.current()?;
         let brdf = state.scene.opened.get(state.scene.selected)?.brdf;
@@ -70,7 +70,7 @@ impl Query for LandscapeQuery {
     }
 }
 
-/// Where a model is on the axes of the landscape: (s, α) of the combined model that it is, or that looks most like it.
+/// Place of a model on the axes of the landscape: (s, α) of the combined model that it is or looks most like.
 pub fn place(brdf: &Brdf) -> [f64; 2] {
     let params = brdf.with_model(landscape::model()).params;
     [params.s, params.alpha]

@@ -1,6 +1,6 @@
 //! The lobes in space inside egui's picture: a paint callback, and what it keeps on the GPU between frames.
 
-use crate::figure::lobe3d::{Lobes, Projection, ground, wires};
+use crate::figure::lobe3d::{Lobes, SpaceProjection, ground, wires};
 use crate::figure::palette::{Ink, Palette, Role};
 use crate::gpu::lobe3d_pass::{
     FlatVertex, LinePiece, SolidVertex, SpacePass, SpacePicture, SpaceScene, SpaceView,
@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 /// Prepares the renderer, once. Pipelines are compiled when the tile is first seen.
 pub fn install(render_state: &RenderState) {
-    let kept = Kept {
+    let kept = Lobe3dResources {
         format: render_state.target_format,
         pass: None,
         picture: None,
@@ -33,7 +33,7 @@ pub fn paint(
     rect: Rect,
     lobes: &Arc<Lobes>,
     wo: Option<DVec3>,
-    projection: &Projection,
+    projection: &SpaceProjection,
     palette: &Palette,
 ) {
     let density = ui.ctx().pixels_per_point();
@@ -57,9 +57,9 @@ pub fn paint(
         .add(Callback::new_paint_callback(rect, callback));
 }
 
-/// What a scene was made from, and the scene.
+/// Inputs of a scene, and the scene.
 #[derive(Clone)]
-struct Made {
+struct MadeScene {
     lobes: Arc<Lobes>,
     wo: Option<DVec3>,
     palette: Palette,
@@ -74,7 +74,7 @@ fn scene_of(
     palette: &Palette,
 ) -> Arc<SpaceScene> {
     let id = ui.scope_id().with("scene");
-    let made: Option<Made> = ui.data(|data| data.get_temp(id));
+    let made: Option<MadeScene> = ui.data(|data| data.get_temp(id));
     if let Some(made) = made
         && Arc::ptr_eq(&made.lobes, lobes)
         && made.wo == wo
@@ -83,7 +83,7 @@ fn scene_of(
         return made.scene;
     }
     let scene = Arc::new(scene(lobes, wo, palette));
-    let made = Made {
+    let made = MadeScene {
         lobes: Arc::clone(lobes),
         wo,
         palette: *palette,
@@ -143,8 +143,8 @@ fn add_line(scene: &mut SpaceScene, points: &[DVec3], width: f32, behind: f32, c
     }));
 }
 
-/// What stays on the GPU.
-struct Kept {
+/// Resources that stay on the GPU.
+struct Lobe3dResources {
     format: wgpu::TextureFormat,
     pass: Option<SpacePass>,
     picture: Option<(Arc<SpaceScene>, SpacePicture)>,
@@ -164,7 +164,7 @@ impl CallbackTrait for Lobe3dCallback {
         encoder: &mut wgpu::CommandEncoder,
         resources: &mut CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
-        let Some(kept) = resources.get_mut::<Kept>() else {
+        let Some(kept) = resources.get_mut::<Lobe3dResources>() else {
             return Vec::new();
         };
         let pass = kept
@@ -191,11 +191,11 @@ impl CallbackTrait for Lobe3dCallback {
         pass: &mut wgpu::RenderPass<'static>,
         resources: &CallbackResources,
     ) {
-        if let Some(Kept {
+        if let Some(Lobe3dResources {
             pass: Some(space),
             picture: Some((_, picture)),
             ..
-        }) = resources.get::<Kept>()
+        }) = resources.get::<Lobe3dResources>()
         {
             space.blit(pass, picture);
         }

@@ -55,7 +55,7 @@ pub fn lobe3d_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
     response.contains_pointer()
 }
 
-/// The same probe, turned around the normal such that the light comes from the left.
+/// Probe turned around the normal such that the light comes from the left.
 fn upright(probe: Probe) -> Probe {
     let flat = probe.wi.truncate();
     if flat.length() < 1e-9 {

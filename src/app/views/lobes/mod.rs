@@ -19,7 +19,7 @@ use crate::figure::scale::RADIAL_SCALES;
 use crate::geom::limits::MAX_THETA_I_DEG;
 use egui::{CursorIcon, PointerButton, Sense, Vec2};
 
-/// How near in points the pointer must be to a light's arrow to take it.
+/// Largest distance in points at which the pointer takes a light by its arrow.
 const GRAB: f32 = 14.0;
 /// Draws the tile.
 pub fn lobes_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {

@@ -21,23 +21,23 @@ use egui::{CursorIcon, Sense, Vec2};
 use std::path::PathBuf;
 
 /// A material with a fit of the combined model.
-struct Row {
+struct ScatterRow {
     brdf: Brdf,
     dot: ScatterDot,
     error: f64,
     /// Shows it.
-    place: Place,
+    place: MaterialPlace,
 }
 
-/// Where a material is.
-enum Place {
-    /// At this position of the open ones.
+/// Place of a material.
+enum MaterialPlace {
+    /// Position among the open ones.
     Open(usize),
-    /// In a file of the folder.
+    /// File of the folder.
     File(PathBuf),
 }
 
-/// Every material with a fit of the combined model: its name, the fit, its colour.
+/// Materials with a fit of the combined model: the name, the fit and the colour of each.
 pub fn combined_fits(state: &State) -> Vec<(String, Brdf, Role)> {
     let rows = rows(state).into_iter();
     rows.map(|row| (row.dot.name, row.brdf, row.dot.ring.unwrap_or(row.dot.fill)))
@@ -74,15 +74,15 @@ pub fn scatter_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool 
         let at = at - rect.min;
         plot.dot_at([at.x, at.y])
     });
-    if let Some(Row {
+    if let Some(ScatterRow {
         dot, error, place, ..
     }) = pointed.and_then(|index| rows.get(index))
     {
         ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
         if response.clicked() {
             out.push(match place {
-                Place::Open(index) => Msg::Select(*index),
-                Place::File(path) => Msg::Library(LibraryMsg::Show {
+                MaterialPlace::Open(index) => Msg::Select(*index),
+                MaterialPlace::File(path) => Msg::Library(LibraryMsg::Show {
                     path: path.clone(),
                     keep: false,
                 }),
@@ -103,7 +103,7 @@ pub fn scatter_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool 
 }
 
 /// The open materials, then the files of the folder that are not open.
-fn rows(state: &State) -> Vec<Row> {
+fn rows(state: &State) -> Vec<ScatterRow> {
     let mut rows = Vec::new();
     let mut open = Vec::new();
     for (index, opened) in state.scene.opened.iter().enumerate() {
@@ -117,7 +117,7 @@ fn rows(state: &State) -> Vec<Row> {
             continue;
         };
         let series = Role::Series(index);
-        rows.push(Row {
+        rows.push(ScatterRow {
             brdf,
             dot: ScatterDot {
                 name: material.name.clone(),
@@ -128,7 +128,7 @@ fn rows(state: &State) -> Vec<Row> {
                 shown: index == state.scene.selected,
             },
             error,
-            place: Place::Open(index),
+            place: MaterialPlace::Open(index),
         });
     }
     let files = state.library.folder.iter().flat_map(|folder| &folder.files);
@@ -139,7 +139,7 @@ fn rows(state: &State) -> Vec<Row> {
         let Some((brdf, error)) = combined else {
             continue;
         };
-        rows.push(Row {
+        rows.push(ScatterRow {
             brdf,
             dot: ScatterDot {
                 name: files::material_name(&file.path),
@@ -150,7 +150,7 @@ fn rows(state: &State) -> Vec<Row> {
                 shown: false,
             },
             error,
-            place: Place::File(file.path.clone()),
+            place: MaterialPlace::File(file.path.clone()),
         });
     }
     rows
@@ -165,7 +165,7 @@ fn best_of(material: &Material) -> Option<(Brdf, f64)> {
     )
 }
 
-/// Of the fits with an α the one with the smallest E.
+/// Fit with an α and the smallest E.
 fn best(fits: impl Iterator<Item = (Brdf, f64)>) -> Option<(Brdf, f64)> {
     fits.filter(|(brdf, _)| brdf.uses(ParamId::Alpha))
         .min_by(|a, b| a.1.total_cmp(&b.1))

@@ -9,7 +9,7 @@ use crate::figure::slices::{OVERS, Over, RESIDUALS, Residual, SliceSpec};
 use crate::figure::subject::CHANNELS;
 use crate::geom::limits::MAX_THETA_I_DEG;
 
-/// How many slices over θo there may be.
+/// Largest number of slices over θo.
 const MOST: usize = 5;
 
 /// Draws it. `shown` is what the plot shows: the view's own slices, or those through the probe.

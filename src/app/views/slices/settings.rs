@@ -1,20 +1,20 @@
-//! What the slices are set to show, and where the probe is in them.
+//! Settings of the slices, and the mark of the probe in them.
 
 use crate::app::state::probe::{Probe, same};
 use crate::app::state::sanitize::{angles, limits, window};
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::Settings;
-use crate::figure::Mark;
+use crate::figure::ProbeMark;
 use crate::figure::slices::{Over, SliceSpec};
 use crate::geom::HalfDiff;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// What the slices show.
+/// Settings of the tile of the slices.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct SliceSettings {
-    /// Its `probe` is left out: it is filled in while drawing.
+    /// Spec of the plot. Its `probe` is left out: it is filled in while drawing.
     pub spec: SliceSpec,
     /// Whether the fixed angles are those of the probe.
     pub follow: bool,
@@ -36,7 +36,7 @@ impl Settings for SliceSettings {
     }
 }
 
-/// The same slices at the probe's angles.
+/// Slices of `spec` moved to the probe's angles.
 pub fn through(spec: &SliceSpec, probe: Probe) -> SliceSpec {
     let mut spec = spec.clone();
     let active = spec.active;
@@ -55,8 +55,8 @@ pub fn through(spec: &SliceSpec, probe: Probe) -> SliceSpec {
     spec
 }
 
-/// Where the probe is in the slices.
-pub fn mark(spec: &SliceSpec, probe: Probe) -> Option<Mark> {
+/// Mark of the probe in the slices.
+pub fn mark(spec: &SliceSpec, probe: Probe) -> Option<ProbeMark> {
     if spec.over == Over::ThetaO {
         return Some(probe.mark_in_plane(*spec.theta_i.get(spec.active)?));
     }
@@ -68,15 +68,15 @@ pub fn mark(spec: &SliceSpec, probe: Probe) -> Option<Mark> {
     let apart = turn.min(PI - turn) * angles.theta_h.min(angles.theta_d);
     let phi_d = same(apart, 0.0);
     Some(match spec.over {
-        Over::ThetaO | Over::ThetaH => Mark {
+        Over::ThetaO | Over::ThetaH => ProbeMark {
             at: angles.theta_h,
             exact: theta_d && phi_d,
         },
-        Over::ThetaD => Mark {
+        Over::ThetaD => ProbeMark {
             at: angles.theta_d,
             exact: theta_h && phi_d,
         },
-        Over::PhiD => Mark {
+        Over::PhiD => ProbeMark {
             at: angles.phi_d,
             exact: theta_h && theta_d,
         },

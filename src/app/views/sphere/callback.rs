@@ -3,7 +3,7 @@
 use crate::app::state::State;
 use crate::app::state::material::{Material, MaterialId, Opened, Presence};
 use crate::app::views::sphere::settings::SphereSettings;
-use crate::app::views::sphere::{OnScreen, error};
+use crate::app::views::sphere::{SphereOnScreen, error};
 use crate::geom::sight::Sight;
 use crate::geom::sphere_error::SphereError;
 use crate::gpu::sphere_pass::{SpherePass, SphereSlot, SphereUniform};
@@ -17,10 +17,10 @@ use egui::PaintCallbackInfo;
 use std::collections::HashMap;
 use std::sync::{Arc, OnceLock, Weak};
 
-/// How many tables stay on the GPU.
+/// Number of tables that stay on the GPU.
 const TEXTURES: usize = 4;
 
-/// What a sphere on screen shows.
+/// Content of a sphere on screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Half {
     /// The data.
@@ -29,7 +29,7 @@ pub enum Half {
     Model,
     /// Data left of a line at this place in units of the radius, model right of it.
     Split(f64),
-    /// How far the model is from the data.
+    /// Error of the model against the data.
     Error(SphereError),
 }
 
@@ -55,7 +55,7 @@ pub fn install(render_state: &RenderState) {
         .spawn(move || {
             making.get_or_init(|| SpherePass::new(&device, format));
         });
-    let kept = Kept {
+    let kept = SphereResources {
         format,
         pass,
         tables: HashMap::new(),
@@ -71,7 +71,7 @@ pub fn install(render_state: &RenderState) {
 /// Adds a sphere to the picture.
 pub fn paint(
     painter: &egui::Painter,
-    sphere: &OnScreen,
+    sphere: &SphereOnScreen,
     state: &State,
     material: &Material,
     opened: &Opened,
@@ -119,19 +119,19 @@ fn kept(state: &State) -> Vec<Option<MaterialId>> {
 }
 
 /// `None` where there are no data.
-type Key = (Option<MaterialId>, bool);
+type SlotKey = (Option<MaterialId>, bool);
 
-/// What stays on the GPU.
-struct Kept {
+/// Resources that stay on the GPU.
+struct SphereResources {
     format: wgpu::TextureFormat,
     pass: Arc<OnceLock<SpherePass>>,
-    /// With the data they are of.
+    /// Textures with the tables they are of.
     tables: HashMap<Option<MaterialId>, (Weak<Table>, TableTexture)>,
-    slots: HashMap<Key, SphereSlot>,
+    slots: HashMap<SlotKey, SphereSlot>,
 }
 
 struct SphereCallback {
-    key: Key,
+    key: SlotKey,
     compared: bool,
     table: Arc<Table>,
     kept: Vec<Option<MaterialId>>,
@@ -147,12 +147,12 @@ impl CallbackTrait for SphereCallback {
         _encoder: &mut wgpu::CommandEncoder,
         resources: &mut CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
-        let Some(Kept {
+        let Some(SphereResources {
             format,
             pass,
             tables,
             slots,
-        }) = resources.get_mut::<Kept>()
+        }) = resources.get_mut::<SphereResources>()
         else {
             return Vec::new();
         };
@@ -185,7 +185,7 @@ impl CallbackTrait for SphereCallback {
         pass: &mut wgpu::RenderPass<'static>,
         resources: &CallbackResources,
     ) {
-        if let Some(kept) = resources.get::<Kept>()
+        if let Some(kept) = resources.get::<SphereResources>()
             && let Some(sphere) = kept.pass.get()
             && let Some(slot) = kept.slots.get(&self.key)
         {

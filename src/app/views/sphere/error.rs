@@ -1,6 +1,6 @@
 //! The colours of the difference sphere and the bar that says what they mean.
 
-use crate::app::views::sphere::{OnScreen, word};
+use crate::app::views::sphere::{SphereOnScreen, word};
 use crate::figure::sphere_image::{error_colors, error_names, error_ticks, error_unit};
 use crate::geom::sphere_error::SphereError;
 use crate::gpu::sphere_pass::COLORS;
@@ -10,7 +10,7 @@ use egui::{Align2, Color32, FontId, Pos2, Rect, Stroke, pos2, vec2};
 const ROOM: f32 = 62.0;
 const WIDTH: f32 = 12.0;
 
-/// What the bar leaves of a rectangle.
+/// Part of a rectangle that the bar leaves.
 pub fn beside_bar(rect: Rect) -> Rect {
     let room = ROOM.min(0.3 * rect.width());
     rect.with_max_x(rect.right() - room)
@@ -23,7 +23,7 @@ pub fn colors(error: SphereError) -> [[u8; 3]; COLORS] {
 }
 
 /// The bar with its ticks at the right of `rect`, as high as the sphere, and the name of what it shows over the sphere.
-pub fn bar(ui: &egui::Ui, rect: Rect, sphere: &OnScreen, error: SphereError, stops: f64) {
+pub fn bar(ui: &egui::Ui, rect: Rect, sphere: &SphereOnScreen, error: SphereError, stops: f64) {
     let painter = ui.painter();
     let visuals = ui.visuals();
     let text = |at: Pos2, align: Align2, text: &str| {

@@ -21,9 +21,9 @@ use crate::geom::sphere::{
 };
 use egui::{Align2, Color32, CursorIcon, FontId, Pos2, Rect, Sense, Stroke, Vec2, pos2, vec2};
 
-/// How near in points the pointer must be to the split line to take it.
+/// Largest distance in points at which the pointer takes the split line.
 const GRAB: f32 = 7.0;
-/// How far from a highlight in sphere radii a drag still takes that light rather than the first one.
+/// Largest distance from a highlight, in sphere radii, at which a drag takes that light rather than the first one.
 const NEAR_HIGHLIGHT: f64 = 0.35;
 
 /// Draws the tile.
@@ -116,16 +116,16 @@ fn toolbar_ui(ui: &mut egui::Ui, state: &State, tile: &SphereSettings, out: &mut
 }
 
 /// A sphere on screen.
-pub struct OnScreen {
+pub struct SphereOnScreen {
     /// The square in which it is seen.
     pub frame: Rect,
     /// The square around it, larger than the frame where it is enlarged.
     pub rect: Rect,
-    /// What it shows.
+    /// Content of the sphere.
     pub half: Half,
 }
 
-impl OnScreen {
+impl SphereOnScreen {
     /// A point in units of the radius, x to the right and y up.
     fn unit(&self, point: Pos2) -> (f64, f64) {
         let offset = (point - self.rect.center()) / (0.5 * self.rect.width());
@@ -133,14 +133,14 @@ impl OnScreen {
     }
 }
 
-fn layout(rect: Rect, tile: &SphereSettings) -> Vec<OnScreen> {
+fn layout(rect: Rect, tile: &SphereSettings) -> Vec<SphereOnScreen> {
     let square = |rect: Rect, half| {
         let side = (rect.width().min(rect.height()) - 8.0).max(16.0);
         let frame = Rect::from_center_size(rect.center(), Vec2::splat(side));
         let Sight { zoom, center } = tile.sight;
         let side = side * zoom as f32;
         let middle = 0.5 * side * vec2(center[0] as f32, -center[1] as f32);
-        OnScreen {
+        SphereOnScreen {
             frame,
             rect: Rect::from_center_size(frame.center() - middle, Vec2::splat(side)),
             half,
@@ -163,7 +163,7 @@ fn layout(rect: Rect, tile: &SphereSettings) -> Vec<OnScreen> {
     }
 }
 
-fn split_line(sphere: &OnScreen) -> Option<f32> {
+fn split_line(sphere: &SphereOnScreen) -> Option<f32> {
     let Half::Split(split) = sphere.half else {
         return None;
     };
@@ -171,7 +171,7 @@ fn split_line(sphere: &OnScreen) -> Option<f32> {
     sphere.frame.x_range().contains(x).then_some(x)
 }
 
-fn draw_split(ui: &egui::Ui, sphere: &OnScreen, x: f32) {
+fn draw_split(ui: &egui::Ui, sphere: &SphereOnScreen, x: f32) {
     let painter = ui.painter();
     let color = ui.visuals().strong_text_color();
     // Light on dark and dark on light: the sphere may be either, whatever the theme.
@@ -189,7 +189,7 @@ fn draw_split(ui: &egui::Ui, sphere: &OnScreen, x: f32) {
     );
 }
 
-fn caption(ui: &egui::Ui, sphere: &OnScreen) {
+fn caption(ui: &egui::Ui, sphere: &SphereOnScreen) {
     let put = |at: Pos2, align: Align2, text: &str| word(ui, at, align, text, 13.0);
     let rect = sphere.frame;
     match sphere.half {
@@ -215,8 +215,8 @@ pub(crate) fn word(ui: &egui::Ui, at: Pos2, align: Align2, text: &str, size: f32
     ui.painter().galley(rect.min, galley, color);
 }
 
-/// Where the probe is under each light. A sphere under one light has one θd: elsewhere the mark is hollow.
-fn marks(ui: &egui::Ui, state: &State, tile: &SphereSettings, spheres: &[OnScreen]) {
+/// Marks of the probe under each light. A sphere under one light has one θd: elsewhere the mark is hollow.
+fn marks(ui: &egui::Ui, state: &State, tile: &SphereSettings, spheres: &[SphereOnScreen]) {
     let angles = state
         .probe()
         .and_then(|probe| HalfDiff::from_directions(probe.wi, probe.wo));
@@ -256,7 +256,7 @@ fn marks(ui: &egui::Ui, state: &State, tile: &SphereSettings, spheres: &[OnScree
     }
 }
 
-/// What a drag that began on the tile moves, kept by egui while it lasts.
+/// Thing that a drag which began on the tile moves, kept by egui while it lasts.
 #[derive(Clone, Copy)]
 enum Grabbed {
     Split,
@@ -267,7 +267,7 @@ fn interact(
     ui: &egui::Ui,
     response: &egui::Response,
     state: &State,
-    spheres: &[OnScreen],
+    spheres: &[SphereOnScreen],
     out: &mut Vec<Msg>,
 ) {
     let tile = state.scene.views.get::<SphereSettings>();
@@ -275,7 +275,7 @@ fn interact(
         return;
     };
     let Some(sphere) = spheres.iter().min_by(|a, b| {
-        let distance = |s: &OnScreen| s.frame.distance_to_pos(pointer);
+        let distance = |s: &SphereOnScreen| s.frame.distance_to_pos(pointer);
         distance(a).total_cmp(&distance(b))
     }) else {
         return;

@@ -10,7 +10,7 @@ use crate::geom::sphere_error::SphereError;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-/// Which parts of the picture the sphere shows.
+/// Content of the sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Show {
@@ -58,9 +58,9 @@ pub struct SphereSettings {
     pub view: SphereView,
     /// Measured, model or both.
     pub show: Show,
-    /// Where the split line is: −1 at the left rim, 1 at the right.
+    /// Place of the split line: −1 at the left rim, 1 at the right.
     pub split: f64,
-    /// What of it is in sight.
+    /// Part of it in sight.
     pub sight: Sight,
 }
 

@@ -5,7 +5,7 @@ use egui::{Color32, ColorImage, Painter, Rect, TextureHandle, TextureOptions, po
 
 /// Textures by what is in them: a picture that is built anew each frame and is the same is not uploaded again. One that
 /// was not painted for a frame is freed.
-type Kept = FramePublisher<(u64, [usize; 2], bool), TextureHandle>;
+type KeptTextures = FramePublisher<(u64, [usize; 2], bool), TextureHandle>;
 
 /// Paints rows of sRGB pixels with straight opacity.
 pub(crate) fn paint_picture(
@@ -20,7 +20,7 @@ pub(crate) fn paint_picture(
     }
     let ctx = painter.ctx();
     let key = (egui::util::hash(rgba), [width, height], smooth);
-    let kept = ctx.memory_mut(|memory| memory.caches.cache::<Kept>().get(&key).cloned());
+    let kept = ctx.memory_mut(|memory| memory.caches.cache::<KeptTextures>().get(&key).cloned());
     let texture = kept.unwrap_or_else(|| {
         let options = if smooth {
             TextureOptions::LINEAR
@@ -32,7 +32,7 @@ pub(crate) fn paint_picture(
     });
     let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
     painter.image(texture.id(), rect, whole, Color32::WHITE);
-    ctx.memory_mut(|memory| memory.caches.cache::<Kept>().set(key, texture));
+    ctx.memory_mut(|memory| memory.caches.cache::<KeptTextures>().set(key, texture));
 }
 
 #[cfg(test)]

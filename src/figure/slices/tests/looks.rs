@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::figure::cosine::CosineFactor;
-use crate::figure::mark::Mark;
+use crate::figure::mark::ProbeMark;
 use crate::figure::plot::tests::{SIZES, clashes, strays};
 use crate::figure::scale::RADIAL_SCALES;
 
@@ -40,7 +40,7 @@ fn no_text_covers_another_in_any_size() {
                         scale,
                         residual,
                         cosine,
-                        probe: Some(Mark {
+                        probe: Some(ProbeMark {
                             at: 0.4,
                             exact: true,
                         }),

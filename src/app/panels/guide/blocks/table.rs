@@ -40,7 +40,8 @@ pub fn table_ui(
     });
 }
 
-/// Each column gets what its longest word needs, and of what is left as much as its text would take in one line.
+/// Widths of the columns in points: each gets what its longest word needs, and of what is left as much as its text
+/// would take in one line.
 fn widths(ui: &Ui, columns: usize, rows: &[&Cells]) -> Vec<f32> {
     let (mut least, mut wish) = (vec![0.0_f32; columns], vec![0.0_f32; columns]);
     for (index, cells) in rows.iter().enumerate() {
