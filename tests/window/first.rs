@@ -343,3 +343,21 @@ fn several_dropped_files_open() {
         .collect();
     assert!(names.ends_with(&["first", "second"]), "{names:?}");
 }
+
+#[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
+fn the_palette_opens_with_its_first_command_chosen() {
+    let mut window = window(vec![], vec![]);
+    let before = window.state().state().scene.opened.len();
+    press(&mut window, Modifiers::COMMAND, Key::P);
+    for _ in 0..3 {
+        press(&mut window, Modifiers::NONE, Key::ArrowDown);
+    }
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    press(&mut window, Modifiers::COMMAND, Key::P);
+    assert_eq!(window.state().state().dialog, Some(Dialog::Palette));
+    press(&mut window, Modifiers::NONE, Key::Enter);
+    settle(&mut window, |state| state.jobs.is_empty());
+    // The first is "Open…", which finds no file here; the fourth would open a sample.
+    assert_eq!(window.state().state().scene.opened.len(), before);
+}

@@ -62,14 +62,19 @@ fn choose(command: Command, out: &mut Vec<Msg>) {
     out.push(Msg::Run(command));
 }
 
-/// Position of the chosen command, moved `by` steps: the first one again where the text has changed.
+/// Position of the chosen command, moved `by` steps: the first one again where the text has changed or the palette has just
+/// opened.
 fn choice(ui: &egui::Ui, text: &str, by: i64, count: usize) -> usize {
     let id = Id::unique("palette choice");
-    let before = ui.data(|data| data.get_temp::<(String, usize)>(id));
-    let at = before.filter(|(of, _)| of == text).map_or(0, |(_, at)| at);
+    let pass = ui.ctx().cumulative_pass_nr();
+    let before = ui.data(|data| data.get_temp::<(String, usize, u64)>(id));
+    // A pass without the palette means that it was closed in between.
+    let at = before
+        .filter(|(of, _, seen)| of == text && pass <= seen + 1)
+        .map_or(0, |(_, at, _)| at);
     let last = count.saturating_sub(1) as i64;
     let at = (at as i64 + by).clamp(0, last) as usize;
-    ui.data_mut(|data| data.insert_temp(id, (text.to_string(), at)));
+    ui.data_mut(|data| data.insert_temp(id, (text.to_string(), at, pass)));
     at
 }
 
