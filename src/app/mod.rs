@@ -177,7 +177,7 @@ impl App {
     }
 }
 
-/// What the storage has of the last run; what cannot be read is not there.
+/// Messages with preferences and layout of the last run; none for one that the storage lacks or that cannot be read.
 fn kept(cc: &eframe::CreationContext<'_>) -> Vec<Msg> {
     let Some(storage) = cc.storage else {
         return Vec::new();

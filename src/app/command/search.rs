@@ -30,7 +30,7 @@ pub fn search<'a>(entries: impl IntoIterator<Item = &'a Entry>, text: &str) -> V
         matched.sort_unstable();
         matched.dedup();
         // Letters that happen to be somewhere in a long title are not what anybody meant.
-        is_meant(&matched).then_some((score, matched))
+        is_meant(haystack, &matched).then_some((score, matched))
     };
     let mut hits = Vec::new();
     for entry in entries {
@@ -75,13 +75,18 @@ fn escaped(text: &str) -> String {
     text.chars().map(plain).collect()
 }
 
-/// Whether matched letters are together in a few runs, as in an abbreviation: at least two letters to a run on average.
-fn is_meant(matched: &[u32]) -> bool {
-    let runs = 1 + matched
-        .windows(2)
-        .filter(|pair| pair[1] != pair[0] + 1)
-        .count();
-    matched.len() <= 1 || matched.len() >= 2 * runs
+/// Whether matched letters are what somebody meant: in a few runs, as in an abbreviation (at least two letters to a run on
+/// average), or the beginnings of words.
+fn is_meant(haystack: &str, matched: &[u32]) -> bool {
+    let letters: Vec<char> = haystack.chars().collect();
+    let before = |at: u32| (at as usize).checked_sub(1).map(|at| letters[at]);
+    let begins_word = |at: u32| before(at).is_none_or(|c| !c.is_alphanumeric());
+    let starts = matched
+        .iter()
+        .enumerate()
+        .filter(|(k, at)| *k == 0 || matched[k - 1] + 1 != **at);
+    let starts: Vec<u32> = starts.map(|(_, at)| *at).collect();
+    matched.len() <= 1 || matched.len() >= 2 * starts.len() || starts.into_iter().all(begins_word)
 }
 
 #[cfg(test)]
@@ -112,6 +117,7 @@ mod tests {
     #[test]
     fn letters_in_order_are_enough() {
         assert_eq!(found("expfig")[0], Command::ExportFigure);
+        assert_eq!(found("ef")[0], Command::ExportFigure);
         assert_eq!(found("fitall")[0], Command::FitAll);
         assert_eq!(found("THEME DARK")[0], Command::UseTheme(Theme::Dark));
         assert_eq!(found("dark theme")[0], Command::UseTheme(Theme::Dark));

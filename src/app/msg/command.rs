@@ -1,4 +1,4 @@
-//! What a person can ask for. [`crate::app::command`] has the words, the keys and the places in menus.
+//! Commands: everything that a person can ask for. [`crate::app::command`] has the words, the keys and the places in menus.
 
 use crate::app::state::prefs::Theme;
 use crate::app::state::views::ViewId;

@@ -88,7 +88,7 @@ pub enum Msg {
     SetView(AnySettings),
     /// The tiles were moved.
     SetLayout(Tiles),
-    /// What was kept of the last run was read.
+    /// The preferences of the last run were read.
     SetPrefs(Box<Prefs>),
     /// Lay this model over the shown material, with the best ρ_d and k_s once they are found.
     TakeModel(Brdf),

@@ -63,7 +63,7 @@ fn open_path_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     }
 }
 
-/// What every number and picture means, a line each: left in the markup of formulas.
+/// Conventions behind every number and picture, a line each: symbols in the markup of formulas, and their meaning.
 const CONVENTIONS: [(&str, &str); 11] = [
     ("n", "normal, z of the local frame"),
     (

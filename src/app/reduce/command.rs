@@ -1,4 +1,4 @@
-//! What each command does to the state.
+//! Reducer of commands: how each changes the state.
 
 use crate::app::command::Command;
 use crate::app::guide::GuideAt;

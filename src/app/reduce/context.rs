@@ -1,4 +1,4 @@
-//! What a reducer may do besides changing its own part of the state.
+//! Narrow contexts of reducers: what they may do besides changing their own part of the state.
 
 use crate::app::state::Scene;
 use crate::app::state::history::History;

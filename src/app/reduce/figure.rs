@@ -7,7 +7,7 @@ use crate::app::state::figure::{FigurePrefs, FigureViews};
 use crate::app::state::notice::Dialog;
 use crate::app::state::views::ViewId;
 
-/// What figures change: the views in them, their looks, and the dialog that makes one.
+/// Part of the state that figures change: the views in them, their looks, and the dialog that makes one.
 pub(crate) struct FigurePart<'a> {
     pub views: &'a mut FigureViews,
     pub prefs: &'a mut FigurePrefs,
