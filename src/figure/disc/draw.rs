@@ -92,7 +92,8 @@ pub(super) fn draw(spec: &DiscSpec, name: &str, field: &DiscField, size: [f32; 2
     let muted = Ink::from(Role::Muted);
     hatch(&mut drawing, &field.cells, &square, muted.faded(0.9));
     net(&mut drawing, &frame);
-    for degrees in [RINGS_DEG[0], RINGS_DEG[1], UNRELIABLE_THETA_DEG] {
+    let names = [RINGS_DEG[0], RINGS_DEG[1], UNRELIABLE_THETA_DEG];
+    for degrees in names.into_iter().filter(|_| !is_small(&frame, font)) {
         name_ring(&mut drawing, &mut placing, &frame, degrees, font);
     }
     name_spokes(&mut drawing, &mut placing, &frame, font);
@@ -133,6 +134,11 @@ pub(super) fn draw(spec: &DiscSpec, name: &str, field: &DiscField, size: [f32; 2
         placing.place(&mut drawing, label);
     }
     DiscPlot { drawing, frame }
+}
+
+/// Whether a disc has no room for more than the names of light and axes.
+fn is_small(frame: &DiscFrame, font: f32) -> bool {
+    frame.radius < 6.0 * font
 }
 
 /// A ring of equal θo as a closed polyline.
@@ -205,7 +211,7 @@ fn name_spokes(drawing: &mut Drawing, placing: &mut Placing, frame: &DiscFrame, 
         put(&format!("{degrees}°"), degrees as f64);
     }
     put("φ_{o}", 0.5 * SPOKE_DEG as f64);
-    for degrees in others {
+    for degrees in others.into_iter().filter(|_| !is_small(frame, font)) {
         put(&format!("{degrees}°"), degrees as f64);
     }
 }
