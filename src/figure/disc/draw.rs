@@ -138,7 +138,7 @@ pub(super) fn draw(spec: &DiscSpec, name: &str, field: &DiscField, size: [f32; 2
 
 /// Whether a disc has no room for more than the names of light and axes.
 fn is_small(frame: &DiscFrame, font: f32) -> bool {
-    frame.radius < 6.0 * font
+    frame.radius < 4.5 * font
 }
 
 /// A ring of equal θo as a closed polyline.
