@@ -113,6 +113,27 @@ impl ImageSpec {
         )
     }
 
+    /// All cells, and those that their colours are made for: the data's where the model is shown over data, so that both
+    /// have the same colours; else the cells themselves.
+    pub fn fields(
+        &self,
+        measured: Option<&Source>,
+        model: Option<&Source>,
+    ) -> (HeatField, HeatField) {
+        let field = self.field(measured, model);
+        let reference = match (self.shown, measured) {
+            (Shown::Model, Some(_)) => {
+                let of_data = Self {
+                    shown: Shown::Measured,
+                    ..self.clone()
+                };
+                of_data.field(measured, None)
+            }
+            _ => field.clone(),
+        };
+        (field, reference)
+    }
+
     /// Spec of the heat map that shows `field`. `reference` has the values that the colours are made for: the data's, so
     /// that data and model have the same colours.
     pub fn heat_spec(&self, name: &str, field: &HeatField, reference: &HeatField) -> HeatSpec {

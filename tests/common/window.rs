@@ -11,7 +11,7 @@ use grazing::app::state::State;
 use grazing::app::state::view_settings::Settings;
 use grazing::app::{App, Picker, WindowOptions};
 use grazing::brdf::ParamId;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub type Window = Harness<'static, App>;
@@ -41,6 +41,20 @@ pub fn window_with(files: Vec<PathBuf>, picker: Picker) -> Window {
         picker,
         autosave: None,
     })
+}
+
+/// The start of a window with these files, whose dialogs answer with these paths.
+pub fn with_answers(files: &[&Path], open: Option<&Path>, save: Option<&Path>) -> WindowOptions {
+    let [open, save] = [open, save].map(|path| path.map(Path::to_owned));
+    WindowOptions {
+        files: files.iter().map(|file| file.to_path_buf()).collect(),
+        picker: Picker {
+            open: Arc::new(move || open.clone().into_iter().collect()),
+            save: Arc::new(move |_| save.clone()),
+            ..nothing_picked()
+        },
+        autosave: None,
+    }
 }
 
 /// A window that starts like this.

@@ -7,6 +7,7 @@ use crate::common::folder::Folder;
 use crate::common::records::{combined, only_named, record, write_fits, write_merl};
 use crate::common::window::{
     Window, click, nothing_picked, run, send, set_slider, settle, settle_on, window_with_boxes,
+    with_answers,
 };
 use eframe::App as _;
 use grazing::app::command::Command;
@@ -37,16 +38,7 @@ fn gray(folder: &Folder) -> PathBuf {
 
 /// A window whose dialogs answer with these paths.
 fn window(files: &[&Path], open: Option<&Path>, save: Option<&Path>) -> Window {
-    let [open, save] = [open, save].map(|path| path.map(Path::to_owned));
-    let mut window = window_with_boxes(WindowOptions {
-        files: files.iter().map(|file| file.to_path_buf()).collect(),
-        picker: Picker {
-            open: Arc::new(move || open.clone().into_iter().collect()),
-            save: Arc::new(move |_| save.clone()),
-            ..nothing_picked()
-        },
-        autosave: None,
-    });
+    let mut window = window_with_boxes(with_answers(files, open, save));
     settle(&mut window, |state| state.jobs.is_empty());
     window
 }

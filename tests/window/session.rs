@@ -4,7 +4,7 @@ use crate::common::folder::Folder;
 use crate::common::records::{combined, only_named, record, write_fits, write_merl};
 use crate::common::window::{
     Window, click, nothing_picked, press, run, send, set_slider, settle, settle_on, window,
-    window_of,
+    window_of, with_answers,
 };
 use eframe::App as _;
 use egui::accesskit::Role;
@@ -28,16 +28,7 @@ use std::sync::{Arc, Mutex};
 
 /// A window whose dialogs answer with these paths.
 fn with_dialogs(files: &[&Path], open: Option<&Path>, save: Option<&Path>) -> Window {
-    let [open, save] = [open, save].map(|path| path.map(Path::to_owned));
-    let mut window = window_of(WindowOptions {
-        files: files.iter().map(|file| file.to_path_buf()).collect(),
-        picker: Picker {
-            open: Arc::new(move || open.clone().into_iter().collect()),
-            save: Arc::new(move |_| save.clone()),
-            ..nothing_picked()
-        },
-        autosave: None,
-    });
+    let mut window = window_of(with_answers(files, open, save));
     settle(&mut window, |state| state.jobs.is_empty());
     window
 }

@@ -1,9 +1,9 @@
 //! The order in which a disc is drawn: cells, hatching, rings and spokes with their names, colour bar; and the marks.
 
 use super::{DiscField, DiscFrame, DiscPlot, DiscSpec};
-use crate::figure::drawing::{Anchor, Drawing, LINE_HEIGHT, Label, Point, font_size};
+use crate::figure::drawing::{Anchor, Drawing, Item, LINE_HEIGHT, Label, Point, font_size};
 use crate::figure::heatmap::{
-    ColorBar, ColorScale, draw_key, fitting_title, hatch, image, key_width_em,
+    Cell, ColorBar, ColorScale, draw_key, fitting_title, hatch, image, key_width_em,
 };
 use crate::figure::over_colors::{self, LIGHT};
 use crate::figure::palette::{Ink, Role};
@@ -115,10 +115,7 @@ pub(super) fn draw(spec: &DiscSpec, name: &str, field: &DiscField, size: [f32; 2
     }
     const MISSING: &str = "not measured";
     let key = key_width_em(MISSING) * font;
-    let has_missing = field
-        .cells
-        .cells
-        .contains(&crate::figure::heatmap::Cell::Missing);
+    let has_missing = field.cells.cells.contains(&Cell::Missing);
     if has_missing && key + 2.0 * font < 0.5 * size[0] {
         draw_key(
             &mut drawing,
@@ -236,9 +233,7 @@ pub(super) fn marks(spec: &DiscSpec, frame: &DiscFrame, size: [f32; 2]) -> Drawi
         let text = RichText::parse(text);
         let mut label = Label::new(text, pos, Anchor::CENTER, font, Role::Foreground);
         label.halo = true;
-        drawing
-            .items
-            .push(crate::figure::drawing::Item::Text(label));
+        drawing.items.push(Item::Text(label));
     };
     if apart {
         over_colors::ring(&mut drawing, peak, 3.0, false, LIGHT);

@@ -18,6 +18,12 @@ pub struct DiscField {
 }
 
 impl DiscField {
+    /// Cells on a side for a picture `pixels` wide: a multiple of 64, so that it stays while a tile is dragged larger, and
+    /// at most `most`.
+    pub fn side(pixels: f32, most: usize) -> usize {
+        (pixels.max(1.0) as usize).next_multiple_of(64).min(most)
+    }
+
     /// The colours of the values in the settings of a disc.
     pub fn colors(&self, spec: &DiscSpec) -> ColorScale {
         let (values, reference) = (&self.values, &self.reference);

@@ -43,13 +43,6 @@ impl DiscFrame {
         self.projection.direction(self.place(point))
     }
 
-    /// Side in cells of a picture of the disc with `density` pixels per point: a multiple of 64, so that it stays while a
-    /// tile is dragged larger, and not more than anybody waits for.
-    pub fn side(&self, density: f32, most: usize) -> usize {
-        let wanted = (2.0 * self.radius * density).max(1.0) as usize;
-        wanted.next_multiple_of(64).min(most)
-    }
-
     /// The square around the disc, as its cells are drawn.
     pub(super) fn square(&self) -> HeatFrame {
         let side = || Side {

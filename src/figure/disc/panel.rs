@@ -1,7 +1,6 @@
 //! The disc on paper.
 
-use super::{DiscPlot, DiscSpec};
-use crate::figure::heatmap::ColorScale;
+use super::{DiscField, DiscPlot, DiscSpec};
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
 use crate::figure::subject::Source;
 use crate::figure::table::DataTable;
@@ -34,8 +33,8 @@ impl PanelView for DiscSpec {
         // The disc is as large as the panel lets it, whatever stands in it.
         let blank = self.field(None, None, 1);
         let frame = DiscPlot::new(self, input.name, &blank, input.size).frame;
-        let field = self.field(measured, model, frame.side(input.density, MOST));
-        let colors = field.colors(self);
+        let side = DiscField::side(2.0 * frame.radius * input.density, MOST);
+        let field = self.field(measured, model, side);
         let plot = DiscPlot::new(self, input.name, &field, input.size);
         let marks = plot.marks(self);
         let mut drawing = plot.drawing;
@@ -43,10 +42,7 @@ impl PanelView for DiscSpec {
         PanelDrawing {
             drawing,
             table: table(self, measured, model),
-            axis: match colors {
-                ColorScale::Amount(axis) => Some(axis),
-                _ => None,
-            },
+            axis: field.colors(self).amount_axis(),
         }
     }
 }

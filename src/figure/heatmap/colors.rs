@@ -38,6 +38,14 @@ impl ColorScale {
         position.clamp(0.0, 1.0)
     }
 
+    /// Axis of amounts, which several pictures can share; `None` for differences and ratios.
+    pub fn amount_axis(&self) -> Option<Axis> {
+        match self {
+            Self::Amount(axis) => Some(*axis),
+            Self::Signed(_) | Self::Ratio(_) | Self::Between(..) => None,
+        }
+    }
+
     /// About `count` ticks with their places on the map.
     pub fn ticks(&self, count: usize) -> Vec<Tick> {
         match self {

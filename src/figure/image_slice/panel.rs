@@ -1,9 +1,8 @@
 //! The image slice on paper.
 
 use super::ImageSpec;
-use crate::figure::heatmap::{Cell, ColorScale, HeatField as Cells, HeatMap};
+use crate::figure::heatmap::{Cell, HeatField as Cells, HeatMap};
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
-use crate::figure::shown::Shown;
 use crate::figure::table::DataTable;
 use crate::geom::degrees::rounded;
 
@@ -26,24 +25,11 @@ impl PanelView for ImageSpec {
 
     fn draw(&self, input: &PanelInput) -> PanelDrawing {
         let (measured, model) = (input.source(true), input.source(false));
-        let field = self.field(measured, model);
-        let of_data = ImageSpec {
-            shown: Shown::Measured,
-            ..self.clone()
-        };
-        // Data and model have the colours of the data, where there are some.
-        let reference = match (self.shown, measured) {
-            (Shown::Model, Some(_)) => of_data.field(measured, None),
-            _ => field.clone(),
-        };
+        let (field, reference) = self.fields(measured, model);
         let heat = self.heat_spec(input.name, &field, &reference);
-        let axis = match heat.colors {
-            ColorScale::Amount(axis) => Some(axis),
-            _ => None,
-        };
         PanelDrawing {
             table: table(self, &field),
-            axis,
+            axis: heat.colors.amount_axis(),
             drawing: HeatMap::new(&heat, &field, input.size).drawing,
         }
     }

@@ -44,7 +44,7 @@ pub fn disc_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
         return false;
     };
     let pixels = rect.size().min_elem() * ui.ctx().pixels_per_point();
-    let side = (pixels as usize).next_multiple_of(64).min(MOST_CELLS);
+    let side = DiscField::side(pixels, MOST_CELLS);
     let query = DiscQuery::new(settings, Sources::of(state), side);
     // A fit under way needs the cores itself: the picture follows when it ends.
     if !state.current_run().is_some_and(FitRun::drives_model) {

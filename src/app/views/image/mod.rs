@@ -109,18 +109,7 @@ fn fields(ui: &egui::Ui, spec: &ImageSpec, sources: &Sources) -> Arc<Fields> {
     if let Some(kept) = kept.filter(|kept| kept.of == of) {
         return kept;
     }
-    let field = |shown, sources: &Sources| {
-        let spec = ImageSpec {
-            shown,
-            ..spec.clone()
-        };
-        spec.field(sources.measured.as_ref(), sources.model.as_ref())
-    };
-    let shown = field(spec.shown, sources);
-    let reference = match (spec.shown, &sources.measured) {
-        (Shown::Model, Some(_)) => field(Shown::Measured, sources),
-        _ => shown.clone(),
-    };
+    let (shown, reference) = spec.fields(sources.measured.as_ref(), sources.model.as_ref());
     let fields = Arc::new(Fields {
         of,
         shown,
