@@ -19,17 +19,15 @@ use crate::app::command::ENTRIES;
 use crate::app::jobs::autosave::Autosave;
 use crate::app::jobs::sender::Sender;
 use crate::app::jobs::{Jobs, prepare_threads};
-use crate::app::lessons::LookAt;
 use crate::app::msg::Msg;
 use crate::app::msg::session::SessionMsg;
-use crate::app::panels::library::library_ui;
 use crate::app::panels::tiles::tiles_ui;
-use crate::app::panels::{dialogs, fit, lesson, menu, model, notices, status};
+use crate::app::panels::{dialogs, lesson, menu, notices, sides, status};
 use crate::app::reduce::apply;
 use crate::app::state::State;
 use crate::app::state::layout::Tiles;
 use crate::app::state::notice::Severity;
-use crate::app::state::prefs::{Prefs, Theme};
+use crate::app::state::prefs::{Prefs, Theme, Zoom};
 use crate::app::tasks::Tools;
 use egui::{Key, KeyboardShortcut, Modifiers};
 use std::path::{Path, PathBuf};
@@ -49,9 +47,6 @@ const LAYOUT_KEY: &str = "grazing.layout";
 /// Longest time that the end of the program waits for jobs that were told to stop.
 const PATIENCE: Duration = Duration::from_millis(300);
 
-/// Height of the fit's panel in points, where the window leaves it that.
-const FIT_HEIGHT: f32 = 350.0;
-
 /// Options at the start of the window.
 pub struct WindowOptions {
     /// Files to open.
@@ -70,6 +65,7 @@ pub struct App {
     adapter: String,
     autosave: Option<Autosave>,
     shown_theme: Option<Theme>,
+    shown_zoom: Option<Zoom>,
     shown_title: String,
 }
 
@@ -102,6 +98,7 @@ impl App {
             adapter: crate::gpu::adapter::describe(&render_state.adapter.get_info()),
             autosave: None,
             shown_theme: None,
+            shown_zoom: None,
             shown_title: "Grazing".into(),
         };
         for msg in kept(cc) {
@@ -158,19 +155,12 @@ impl App {
         let state = &self.state;
         egui::Panel::top("menu").show(ui, |ui| menu::menu_ui(ui, state, out));
         egui::Panel::bottom("status").show(ui, |ui| status::status_ui(ui, state, out));
-        egui::Panel::left("library")
-            .default_size(210.0)
-            .size_range(150.0..=420.0)
-            .show(ui, |ui| library_ui(ui, state, out));
-        egui::Panel::right("model")
-            .default_size(316.0)
-            .size_range(260.0..=520.0)
-            .show(ui, |ui| right_ui(ui, state, out));
+        sides::sides_ui(ui, state, out);
+        lesson::lesson_ui(ui, state, out);
         let ground = egui::Frame::NONE.fill(ui.visuals().panel_fill);
         egui::CentralPanel::no_frame()
             .frame(ground)
             .show(ui, |ui| tiles_ui(ui, state, out));
-        lesson::lesson_ui(ui.ctx(), state, out);
         notices::notices_ui(ui.ctx(), state, out);
         panels::session::session_ui(ui.ctx(), state, out);
         dialogs::dialog_ui(ui.ctx(), state, &self.adapter, out);
@@ -198,6 +188,14 @@ impl eframe::App for App {
                 Theme::Light => egui::ThemePreference::Light,
                 Theme::Dark => egui::ThemePreference::Dark,
             });
+        }
+        if self.shown_zoom != Some(self.state.prefs.zoom) {
+            self.shown_zoom = Some(self.state.prefs.zoom);
+            ctx.set_zoom_factor(self.state.prefs.zoom.factor());
+        }
+        let narrow = ctx.content_rect().width() < sides::NARROW;
+        if narrow != self.state.prefs.panels.is_narrow {
+            self.handle(&ctx, Msg::Narrow(narrow));
         }
         let mut out: Vec<Msg> = self.inbox.try_iter().collect();
         shortcuts(&ctx, &self.state, &mut out);
@@ -251,27 +249,13 @@ impl eframe::App for App {
     }
 }
 
-/// The model above the fit. In a low window the fit takes the larger part: the model scrolls well.
-fn right_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
-    let height = ui.available_height();
-    egui::Panel::bottom("fit")
-        .resizable(true)
-        .frame(egui::Frame::NONE)
-        .default_size(FIT_HEIGHT.min(0.58 * height))
-        .size_range(90.0..=(height - 120.0).max(100.0))
-        .show(ui, |ui| {
-            let rect = ui.max_rect();
-            fit::fit_ui(ui, state, out);
-            if state.looks_at(LookAt::Fit) {
-                lesson::frame(ui, rect);
-            }
-        });
-    egui::CentralPanel::no_frame().show(ui, |ui| model::model_ui(ui, state, out));
-}
-
 /// Runs the commands whose keys were pressed. A field that is being edited keeps the keys it understands.
 fn shortcuts(ctx: &egui::Context, state: &State, out: &mut Vec<Msg>) {
     let typing = ctx.egui_wants_keyboard_input();
+    // "+" is Shift and "=" on many keyboards: without Shift it means the same.
+    if ctx.input_mut(|input| input.consume_key(Modifiers::COMMAND, Key::Equals)) {
+        out.push(Msg::Run(command::Command::ZoomIn));
+    }
     let mut entries: Vec<_> = ENTRIES
         .iter()
         .filter_map(|entry| Some((entry, entry.keys?)))
@@ -347,6 +331,8 @@ fn dropped_files(ctx: &egui::Context, out: &mut Vec<Msg>) {
 
 /// Small departures from egui's looks: rounder, calmer, the same in both themes.
 fn set_style(ctx: &egui::Context) {
+    // The commands do that, so that it is in the menu and kept.
+    ctx.options_mut(|options| options.zoom_with_keyboard = false);
     ctx.all_styles_mut(|style| {
         style.spacing.item_spacing = egui::vec2(8.0, 5.0);
         style.spacing.button_padding = egui::vec2(8.0, 3.0);

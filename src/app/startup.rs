@@ -23,7 +23,7 @@ pub fn run(files: Vec<PathBuf>) -> Result<(), String> {
             .with_title("Grazing")
             .with_app_id("grazing")
             .with_inner_size([1280.0, 800.0])
-            .with_min_inner_size([720.0, 480.0])
+            .with_min_inner_size([640.0, 360.0])
             .with_icon(icon())
             .with_drag_and_drop(true),
         wgpu_options: wgpu_options(),

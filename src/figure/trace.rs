@@ -26,8 +26,6 @@ pub struct TraceSpec<'a> {
     pub points: &'a [TracePoint],
     /// The material, which gives the colour.
     pub series: usize,
-    /// Sentence in place of the curve where there is no point.
-    pub empty: &'a str,
 }
 
 /// Opacity of what is estimated.
@@ -38,17 +36,11 @@ const ROUND: [f64; 6] = [1.0, 1.5, 2.0, 3.0, 5.0, 7.0];
 const DEEPEST: f64 = 1e-4;
 const FONT: f32 = 10.5;
 
-/// Draws a trace into `size` points.
+/// Draws a trace into `size` points; nothing where no point has an E.
 pub fn draw(spec: &TraceSpec, size: [f32; 2]) -> Drawing {
     let mut canvas = TraceCanvas::new(size);
     let points = laid_out(spec.points);
     if points.is_empty() {
-        canvas.frame();
-        let center = [
-            0.5 * (canvas.left + canvas.right),
-            0.5 * (canvas.top + canvas.bottom),
-        ];
-        canvas.text(spec.empty, center, Anchor::CENTER, Role::Muted);
         return canvas.drawing;
     }
     let view = TraceView::of(&points, &canvas);

@@ -119,32 +119,39 @@ fn a_double_click_on_a_name_resets_that_parameter() {
 
 #[test]
 #[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
-fn grey_moves_the_channels_as_one() {
+fn a_colour_is_brighter_at_its_hue_and_opens_into_its_channels() {
     let mut window = window(vec![], vec![]);
-    set_slider(&mut window, "rho_d R", 0.7);
     let rho_d = |window: &Window| {
-        window
-            .state()
-            .state()
-            .current()
-            .expect("one")
-            .1
-            .brdf
-            .params
-            .rho_d
+        let state = window.state().state();
+        state.current().expect("one").1.brdf.params.rho_d
     };
-    assert!((rho_d(&window)[0] - 0.7).abs() < 0.01 && rho_d(&window)[1] != rho_d(&window)[0]);
-    window
-        .get_by_role_and_label(Role::CheckBox, "rho_d grey")
-        .click_accesskit();
-    window.run_steps(3);
+    let before = rho_d(&window);
+    let largest = |rgb: [f64; 3]| rgb[0].max(rgb[1]).max(rgb[2]);
+    assert!(before[0] != before[1], "{before:?}");
+    set_slider(&mut window, "rho_d", 0.5);
+    let hue = before.map(|value| value / largest(before));
+    let near = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9);
+    assert!(near(rho_d(&window), hue.map(|share| 0.5 * share)));
+    // Black has no hue; what it was darkened from comes back.
+    set_slider(&mut window, "rho_d", 0.0);
+    assert_eq!(rho_d(&window), [0.0; 3]);
     set_slider(&mut window, "rho_d", 0.25);
-    let [r, g, b] = rho_d(&window);
+    assert!(near(rho_d(&window), hue.map(|share| 0.25 * share)));
+
     assert!(
-        r == g && g == b && (r - 0.25).abs() < 0.01,
-        "{:?}",
-        rho_d(&window)
+        window
+            .query_by_role_and_label(Role::Slider, "rho_d R")
+            .is_none()
     );
+    click(&mut window, "rho_d channels");
+    set_slider(&mut window, "rho_d R", 0.7);
+    let [r, g, b] = rho_d(&window);
+    assert!((r - 0.7).abs() < 0.01 && near([r, g, b], [r, 0.25 * hue[1], 0.25 * hue[2]]));
+    let luminance = grazing::geom::color::luminance([r, g, b]);
+    click(&mut window, "rho_d grey");
+    assert!(near(rho_d(&window), [luminance; 3]));
+    set_slider(&mut window, "rho_d", 0.25);
+    assert_eq!(rho_d(&window), [rho_d(&window)[0]; 3]);
 }
 
 #[test]

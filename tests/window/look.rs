@@ -15,7 +15,7 @@ use grazing::app::views::sphere::settings::{Show, SphereSettings};
 use grazing::app::{App, WindowOptions};
 
 fn window(theme: Theme) -> Window {
-    window_of(theme, [1000.0, 640.0])
+    window_of(theme, [1280.0, 800.0])
 }
 
 fn window_of(theme: Theme, size: [f32; 2]) -> Window {
@@ -46,7 +46,7 @@ fn check(window: &mut Window, name: &str) {
         .filter(|p| p[0].abs_diff(p[2]) > 60)
         .count();
     assert!(
-        coloured > 20_000,
+        coloured > 12_000,
         "only {coloured} coloured pixels in {name}"
     );
     window.snapshot_options(
@@ -65,6 +65,22 @@ fn the_dark_window() {
 #[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_light_window() {
     check(&mut window(Theme::Light), "window_light");
+}
+
+#[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
+fn a_laptop_s_window() {
+    check(
+        &mut window_of(Theme::Light, [960.0, 540.0]),
+        "window_960x540",
+    );
+}
+
+#[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
+fn a_large_window() {
+    let mut window = window_of(Theme::Dark, [1920.0, 1080.0]);
+    check(&mut window, "window_1920x1080");
 }
 
 /// Every view side by side, on the sample, the probe pinned so that all mark it.

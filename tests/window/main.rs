@@ -35,6 +35,7 @@ mod parity;
 mod probe;
 mod session;
 mod share;
+mod sizes;
 mod slices;
 mod sphere;
 mod tiles;

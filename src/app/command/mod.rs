@@ -114,6 +114,8 @@ impl Command {
             Self::CancelFit => {
                 state.dialog.is_none() && state.fit.run.as_ref().is_some_and(|run| !run.stopping)
             }
+            Self::ZoomIn => state.prefs.zoom.larger() != state.prefs.zoom,
+            Self::ZoomOut => state.prefs.zoom.smaller() != state.prefs.zoom,
             Self::NextMaterial | Self::PreviousMaterial => {
                 state.scene.opened.len() > 1 || state.library.folder.is_some()
             }
@@ -147,6 +149,7 @@ impl Command {
             Self::ToggleRaw => scene.lookup == Lookup::Nearest,
             Self::ToggleTile(pane) => state.tiles.is_open(pane),
             Self::UseTheme(theme) => state.prefs.theme == theme,
+            Self::TogglePanel(side) => state.prefs.panels.is_open(side),
             _ => return None,
         })
     }

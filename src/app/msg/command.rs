@@ -1,6 +1,7 @@
 //! Commands: everything that a person can ask for. [`crate::app::command`] has the words, the keys and the places in menus.
 
 use crate::app::state::prefs::Theme;
+use crate::app::state::side_panels::Side;
 use crate::app::state::views::ViewId;
 use crate::app::views::sphere::settings::Show;
 use crate::brdf::fresnel::Fresnel;
@@ -57,6 +58,10 @@ pub enum Command {
     ToggleCosineO,
     ToggleRaw,
     UseTheme(Theme),
+    ZoomIn,
+    ZoomOut,
+    ZoomReset,
+    TogglePanel(Side),
     ToggleTile(ViewId),
     ResetLayout,
     Palette,

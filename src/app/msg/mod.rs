@@ -22,12 +22,14 @@ use crate::app::state::material::Origin;
 use crate::app::state::notice::Severity;
 use crate::app::state::prefs::Prefs;
 use crate::app::state::probe::Probe;
+use crate::app::state::side_panels::SideTab;
 use crate::app::state::subject_key::SubjectKey;
 use crate::app::state::view_settings::{AnySettings, Settings};
 use crate::brdf::{Brdf, ParamId};
 use crate::files::fits::MaterialFits;
 use crate::files::{ModelFormat, SourceFile};
 use crate::fit::initial_guess;
+use crate::geom::Rgb;
 use crate::measured::Table;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -66,10 +68,12 @@ pub enum Msg {
         channel: Option<usize>,
         value: f64,
     },
+    /// Give all channels of a colour their values.
+    SetColor { id: ParamId, rgb: Rgb },
     /// Put a parameter back to its default.
     ResetParam(ParamId),
-    /// Let the channels of a colour move as one, or apart.
-    SetLinkedChannels(ParamId, bool),
+    /// Make a colour grey, as bright as it is.
+    MakeGrey(ParamId),
     /// A view requests a result, or a job reports on one.
     Cache(Box<dyn CacheMsg>),
     /// Go to a step of a lesson.
@@ -106,6 +110,10 @@ pub enum Msg {
     ReadGuide(GuideAt),
     /// Close the dialog.
     CloseDialog,
+    /// The window has become narrow, or wide again.
+    Narrow(bool),
+    /// Show this half of the model's panel where there is no room for both.
+    ShowTab(SideTab),
     /// Say something.
     Notify(Severity, String),
     /// Close a notice.

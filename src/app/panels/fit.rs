@@ -1,4 +1,4 @@
-//! The fit: what it is asked, and the button that starts and stops it.
+//! The fit: what it is asked, and the buttons that start and stop it.
 
 use crate::app::command::Command;
 use crate::app::msg::Msg;
@@ -6,6 +6,7 @@ use crate::app::msg::fit::FitMsg;
 use crate::app::panels::{fit_result, fit_stages};
 use crate::app::state::State;
 use crate::app::state::fitting::settings::FitSettings;
+use crate::app::widgets::controls::{plain_number, tick_ui};
 use crate::app::widgets::paint::rich_text_job;
 use crate::brdf::params::ALL;
 use crate::brdf::{Brdf, Param};
@@ -16,17 +17,22 @@ use crate::fit::options::default_bounds;
 /// Least and greatest grazing limit that is offered, in degrees.
 const LIMIT_DEG: std::ops::RangeInclusive<f64> = 20.0..=90.0;
 
-/// Draws the panel.
+/// Draws the heading with the buttons.
+pub fn head_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+    ui.horizontal(|ui| {
+        ui.heading("Fit");
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            buttons_ui(ui, state, out);
+        });
+    });
+}
+
+/// Draws the settings, the stages and the result, over all of the room.
 pub fn fit_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
-    // A panel is as high as what is in it: before anything is open, too.
-    ui.set_min_height(ui.available_height());
-    ui.add_space(4.0);
-    head_ui(ui, state, out);
     let Some((_, opened)) = state.current() else {
         ui.weak("Open a material to fit a model to it.");
         return;
     };
-    ui.add_space(2.0);
     egui::ScrollArea::vertical()
         .id_salt("fit")
         .auto_shrink([false, false])
@@ -37,7 +43,6 @@ pub fn fit_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
             if free_ui(ui, &mut settings, &opened.brdf) {
                 more_ui(ui, &mut settings, &opened.brdf);
             }
-            ui.add_space(2.0);
             fit_stages::stages_ui(ui, state, &mut settings);
             fit_result::result_ui(ui, state, out);
             if settings != *before {
@@ -46,41 +51,30 @@ pub fn fit_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
         });
 }
 
-/// The heading with the buttons.
-fn head_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+/// The buttons that start and stop a fit, from the right.
+pub fn buttons_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     let running = state.fit.run.as_ref().is_some_and(|run| !run.stopping);
-    let (command, name) = if running {
-        (Command::CancelFit, "Cancel")
+    let (command, name, label) = if running {
+        (Command::CancelFit, "Cancel", "Stop the fit")
     } else {
-        (Command::Fit, "Fit")
+        (Command::Fit, "Fit", "Start the fit")
     };
-    ui.horizontal(|ui| {
-        ui.heading("Fit");
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let why_not = state.fit_blocked().unwrap_or_default();
-            let mut button =
-                |ui: &mut egui::Ui, command: Command, button: egui::Button, name: &str| {
-                    let response = ui
-                        .add_enabled(command.is_enabled(state), button)
-                        .on_hover_text(command.hint(ui.ctx()))
-                        .on_disabled_hover_text(why_not);
-                    // The menu has an entry of the same word.
-                    ui.ctx()
-                        .accesskit_node_builder(response.id, |node| node.set_label(name));
-                    if response.clicked() {
-                        out.push(Msg::Run(command));
-                    }
-                };
-            let main = egui::Button::new(name).min_size(egui::vec2(72.0, 0.0));
-            let label = if running {
-                "Stop the fit"
-            } else {
-                "Start the fit"
-            };
-            button(ui, command, main.selected(!running), label);
-            button(ui, Command::FitAll, egui::Button::new("All six"), "All six");
-        });
-    });
+    let why_not = state.fit_blocked().unwrap_or_default();
+    let mut button = |ui: &mut egui::Ui, command: Command, button: egui::Button, name: &str| {
+        let response = ui
+            .add_enabled(command.is_enabled(state), button)
+            .on_hover_text(command.hint(ui.ctx()))
+            .on_disabled_hover_text(why_not);
+        // The menu has an entry of the same word.
+        ui.ctx()
+            .accesskit_node_builder(response.id, |node| node.set_label(name));
+        if response.clicked() {
+            out.push(Msg::Run(command));
+        }
+    };
+    let main = egui::Button::new(name).min_size(egui::vec2(64.0, 0.0));
+    button(ui, command, main.selected(!running), label);
+    button(ui, Command::FitAll, egui::Button::new("All six"), "All six");
 }
 
 fn weight_ui(ui: &mut egui::Ui, settings: &mut FitSettings) {
@@ -145,20 +139,6 @@ fn free_ui(ui: &mut egui::Ui, settings: &mut FitSettings, brdf: &Brdf) -> bool {
     open
 }
 
-/// A check box with a marked-up label, named for screen readers and tests.
-pub fn tick_ui(ui: &mut egui::Ui, on: &mut bool, markup: &str, name: &str) -> egui::Response {
-    let color = if ui.is_enabled() {
-        ui.visuals().text_color()
-    } else {
-        ui.visuals().weak_text_color()
-    };
-    let job = rich_text_job(&RichText::parse(markup), 13.5, color);
-    let tick = ui.checkbox(on, egui::WidgetText::from(job));
-    let (is_enabled, is_on) = (ui.is_enabled(), *on);
-    tick.widget_info(|| egui::WidgetInfo::selected(egui::Role::CheckBox, is_enabled, is_on, name));
-    tick
-}
-
 /// Settings that are seldom changed: where the fit begins, and bounds.
 fn more_ui(ui: &mut egui::Ui, settings: &mut FitSettings, brdf: &Brdf) {
     egui::Frame::group(ui.style()).show(ui, |ui| {
@@ -202,7 +182,7 @@ fn bounds_ui(ui: &mut egui::Ui, row: &Param, bounds: &mut Option<(f64, f64)>) {
         let drag = egui::DragValue::new(value)
             .speed(speed)
             .range(from..=to)
-            .custom_formatter(|value, _| crate::app::panels::model::plain_number(value));
+            .custom_formatter(|value, _| plain_number(value));
         let response = ui.add(drag);
         response.widget_info(|| {
             egui::WidgetInfo::labeled(egui::Role::SpinButton, true, format!("{} {end}", row.key))

@@ -15,8 +15,8 @@ use crate::figure::trace::{TracePoint, TraceSpec};
 use crate::fit::{FitProgress, Variant};
 use egui::{Align, Layout, Sense, vec2};
 
-/// Least height of the trace in points.
-const TRACE: f32 = 92.0;
+/// Least and greatest height of the trace in points.
+const TRACE: (f32, f32) = (64.0, 220.0);
 
 /// The part of the run under way to show: the shown variant's, or the one that is being fitted.
 pub fn shown_part(state: &State) -> Option<(&FitRun, &Part)> {
@@ -24,30 +24,33 @@ pub fn shown_part(state: &State) -> Option<(&FitRun, &Part)> {
     Some((run, run.current_part()?))
 }
 
-/// The result in words, and the trace in what room is left.
+/// The result in words; below it the trace, where there is one, in what room is left.
 pub fn result_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     ui.add_space(2.0);
-    let (updates, empty): (&[FitProgress], &str) = match (shown_part(state), state.current_fit()) {
-        (Some((run, part)), _) => {
-            running_ui(ui, run, part);
-            let empty = if run.stopping {
-                "Stopping"
-            } else {
-                "Arranging the data"
-            };
-            (&part.updates, empty)
-        }
+    line_ui(ui, state);
+    let updates: &[FitProgress] = match (shown_part(state), state.current_fit()) {
+        (Some((_, part)), _) => &part.updates,
         (None, Some(kept)) => {
-            kept_ui(ui, state, kept, out);
-            (&kept.trace, "No trace was kept of this fit.")
+            remarks_ui(ui, state, kept, out);
+            &kept.trace
         }
+        (None, None) => &[],
+    };
+    if !updates.is_empty() {
+        ui.add_space(2.0);
+        trace_ui(ui, updates, state.scene.selected);
+    }
+}
+
+/// One line: the fit that is under way, the E of the kept one, or that there is none.
+pub fn line_ui(ui: &mut egui::Ui, state: &State) {
+    match (shown_part(state), state.current_fit()) {
+        (Some((run, part)), _) => running_ui(ui, run, part),
+        (None, Some(kept)) => error_ui(ui, state, kept),
         (None, None) => {
             ui.weak("This model is not fitted yet.");
-            (&[], "E over evaluations")
         }
-    };
-    ui.add_space(4.0);
-    trace_ui(ui, updates, state.scene.selected, empty);
+    }
 }
 
 fn running_ui(ui: &mut egui::Ui, run: &FitRun, part: &Part) {
@@ -66,7 +69,7 @@ fn running_ui(ui: &mut egui::Ui, run: &FitRun, part: &Part) {
     });
 }
 
-fn kept_ui(ui: &mut egui::Ui, state: &State, kept: &KeptFit, out: &mut Vec<Msg>) {
+fn error_ui(ui: &mut egui::Ui, state: &State, kept: &KeptFit) {
     let errors = &kept.outcome.errors;
     let mut text = format!("E {} %", hundredths(errors.total));
     if let Some(grazing) = errors.grazing {
@@ -74,12 +77,16 @@ fn kept_ui(ui: &mut egui::Ui, state: &State, kept: &KeptFit, out: &mut Vec<Msg>)
     }
     let strong = ui.visuals().strong_text_color();
     let job = rich_text_job(&RichText::parse(&text), 13.5, strong);
-    ui.add(egui::Label::new(job).wrap()).on_hover_ui(|ui| {
+    ui.add(egui::Label::new(job).truncate()).on_hover_ui(|ui| {
         ui.set_max_width(330.0);
         ui.label(fit_details::meaning(kept.setup.weight));
         ui.separator();
         fit_details::details_ui(ui, state, kept);
     });
+}
+
+/// Facts to know of a kept fit, a line each.
+fn remarks_ui(ui: &mut egui::Ui, state: &State, kept: &KeptFit, out: &mut Vec<Msg>) {
     let mut remarks = Vec::new();
     if kept.is_cancelled() {
         remarks.push("Cancelled: this is the best up to then.".to_string());
@@ -120,8 +127,8 @@ fn lower_first(text: &str) -> String {
     })
 }
 
-fn trace_ui(ui: &mut egui::Ui, updates: &[FitProgress], series: usize, empty: &str) {
-    let height = (ui.available_height() - 4.0).clamp(TRACE, 2.5 * TRACE);
+fn trace_ui(ui: &mut egui::Ui, updates: &[FitProgress], series: usize) {
+    let height = (ui.available_height() - 4.0).clamp(TRACE.0, TRACE.1);
     let size = vec2(ui.available_width(), height);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, "Trace of E"));
@@ -137,7 +144,6 @@ fn trace_ui(ui: &mut egui::Ui, updates: &[FitProgress], series: usize, empty: &s
     let spec = TraceSpec {
         points: &points,
         series,
-        empty,
     };
     let drawing = trace::draw(&spec, [rect.width(), rect.height()]);
     let palette = Palette::of_theme(ui.visuals().dark_mode);

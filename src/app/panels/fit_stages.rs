@@ -4,6 +4,7 @@ use crate::app::panels::fit_result::shown_part;
 use crate::app::state::State;
 use crate::app::state::fitting::run::stage_ends;
 use crate::app::state::fitting::settings::FitSettings;
+use crate::app::widgets::controls::tick_ui;
 use crate::app::widgets::formula::{hundredths, number};
 use crate::app::widgets::paint::rich_text_job;
 use crate::app::widgets::{fit_details, paint};
@@ -68,7 +69,7 @@ pub fn stages_ui(ui: &mut egui::Ui, state: &State, settings: &mut FitSettings) {
                 ui.set_width(width);
                 let markup = format!("{}  {}", stage.number(), stage.symbols());
                 let name = format!("stage {}", stage.number());
-                crate::app::panels::fit::tick_ui(ui, on, &markup, &name);
+                tick_ui(ui, on, &markup, &name);
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                     stage_numbers_ui(ui, width, row.as_ref());
                 });

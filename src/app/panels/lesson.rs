@@ -7,39 +7,31 @@ use crate::app::state::lesson::LessonAt;
 use crate::app::widgets::paint::{rich_text_job, role_color};
 use crate::figure::palette::Role;
 use crate::figure::text::RichText;
-use egui::{Align2, Id, Rect, Stroke, StrokeKind, vec2};
+use egui::{Rect, Stroke, StrokeKind};
 
-/// Width of the text in points.
-const WIDTH: f32 = 380.0;
-
-/// Draws the card over the left of the window, if a lesson is under way.
-pub fn lesson_ui(ctx: &egui::Context, state: &State, out: &mut Vec<Msg>) {
+/// Draws the card under the tiles, where it covers nothing, if a lesson is under way.
+pub fn lesson_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     let Some((at, step)) = state.lesson.and_then(|at| Some((at, at.step()?))) else {
         return;
     };
     let lesson = &LESSONS[at.lesson];
-    egui::Window::new(lesson.title)
-        .id(Id::unique("lesson"))
-        .title_bar(false)
-        .resizable(false)
-        .anchor(Align2::LEFT_BOTTOM, vec2(12.0, -40.0))
-        .show(ctx, |ui| {
-            ui.set_width(WIDTH);
-            ui.horizontal(|ui| {
-                ui.strong(lesson.title);
-                ui.weak(format!("{} of {}", at.step + 1, lesson.steps.len()));
-            });
-            ui.add_space(4.0);
-            let mut job =
-                rich_text_job(&RichText::parse(step.text), 14.0, ui.visuals().text_color());
-            job.wrap.max_width = WIDTH;
-            ui.label(job);
+    egui::Panel::bottom("lesson").show(ui, |ui| {
+        ui.add_space(4.0);
+        ui.horizontal(|ui| {
+            ui.strong(lesson.title);
+            ui.weak(format!("{} of {}", at.step + 1, lesson.steps.len()));
             if at.waits {
                 ui.weak("The material is being made…");
             }
-            ui.add_space(6.0);
-            ui.horizontal(|ui| buttons_ui(ui, at, out));
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                buttons_ui(ui, at, out);
+            });
         });
+        let mut job = rich_text_job(&RichText::parse(step.text), 14.0, ui.visuals().text_color());
+        job.wrap.max_width = ui.available_width();
+        ui.label(job);
+        ui.add_space(4.0);
+    });
 }
 
 fn buttons_ui(ui: &mut egui::Ui, at: LessonAt, out: &mut Vec<Msg>) {
@@ -48,14 +40,10 @@ fn buttons_ui(ui: &mut egui::Ui, at: LessonAt, out: &mut Vec<Msg>) {
         lesson: at.lesson,
         step,
     };
-    if ui
-        .add_enabled(at.step > 0, egui::Button::new("Back"))
-        .clicked()
-    {
-        out.push(go(at.step - 1));
-    }
-    if !last && ui.button("Next").clicked() {
-        out.push(go(at.step + 1));
+    // From the right.
+    let end = if last { "Done" } else { "End lesson" };
+    if ui.button(end).clicked() {
+        out.push(Msg::EndLesson);
     }
     if ui
         .button("Again")
@@ -64,9 +52,22 @@ fn buttons_ui(ui: &mut egui::Ui, at: LessonAt, out: &mut Vec<Msg>) {
     {
         out.push(go(at.step));
     }
-    let end = if last { "Done" } else { "End lesson" };
-    if ui.button(end).clicked() {
-        out.push(Msg::EndLesson);
+    if !last && ui.button("Next").clicked() {
+        out.push(go(at.step + 1));
+    }
+    if ui
+        .add_enabled(at.step > 0, egui::Button::new("Back"))
+        .clicked()
+    {
+        out.push(go(at.step - 1));
+    }
+}
+
+/// Frames what was drawn since, if a lesson speaks of it.
+pub fn frame_from(ui: &egui::Ui, top: egui::Pos2, framed: bool) {
+    if framed {
+        let bottom = egui::pos2(ui.max_rect().right(), ui.min_rect().bottom());
+        frame(ui, Rect::from_min_max(top, bottom).expand(3.0));
     }
 }
 

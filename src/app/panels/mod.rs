@@ -12,6 +12,8 @@ pub mod menu;
 pub mod model;
 pub mod notices;
 pub mod palette;
+pub mod params;
 pub mod session;
+pub mod sides;
 pub mod status;
 pub mod tiles;

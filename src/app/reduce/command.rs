@@ -142,6 +142,10 @@ pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
             };
         }),
         Command::UseTheme(theme) => state.prefs.theme = theme,
+        Command::ZoomIn => state.prefs.zoom = state.prefs.zoom.larger(),
+        Command::ZoomOut => state.prefs.zoom = state.prefs.zoom.smaller(),
+        Command::ZoomReset => state.prefs.zoom = Default::default(),
+        Command::TogglePanel(side) => state.prefs.panels.toggle(side),
         Command::ResetLayout => state.tiles = Tiles::default(),
         Command::ToggleTile(pane) => state.tiles.toggle(pane),
         Command::Unpin => state.pinned = None,

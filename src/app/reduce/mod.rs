@@ -77,12 +77,18 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
             });
             return fit::refit(state);
         }
-        Msg::SetLinkedChannels(id, linked) => {
-            edit(state, |scene| scene.linked_channels.set(id, linked));
-            if linked {
-                edit_brdf(state, |brdf| make_grey(&mut brdf.params, id));
-            }
+        Msg::SetColor { id, rgb } => {
+            edit_brdf(state, |brdf| {
+                if let Some(row) = brdf.model.param(id) {
+                    let values = brdf.params.get_mut(id);
+                    for (value, to) in values.iter_mut().zip(rgb) {
+                        *value = row.clamp(to);
+                    }
+                }
+            });
+            return fit::refit(state);
         }
+        Msg::MakeGrey(id) => edit_brdf(state, |brdf| make_grey(&mut brdf.params, id)),
         Msg::Cache(msg) => {
             return msg
                 .apply(&mut state.caches)
@@ -121,6 +127,8 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
         Msg::Typed(text) => state.typed = text,
         Msg::ReadGuide(at) => state.dialog = Some(Dialog::Guide(at)),
         Msg::CloseDialog => state.dialog = None,
+        Msg::Narrow(narrow) => state.prefs.panels.is_narrow = narrow,
+        Msg::ShowTab(tab) => state.prefs.panels.tab = tab,
         Msg::Notify(level, text) => notify(state, level, text),
         Msg::Dismiss(id) => state.notices.retain(|notice| notice.id != id),
         Msg::Settle => state.history.settle(&state.scene),

@@ -7,7 +7,6 @@ use crate::app::session::file::{SavedFitting, SavedKey, SavedMaterial, SavedWhat
 use crate::app::session::places::{FilePlace, FoundSession};
 use crate::app::state::fitting::kept::KeptFit;
 use crate::app::state::fitting::settings::FitSettings;
-use crate::app::state::linked_channels::LinkedChannels;
 use crate::app::state::material::{Material, MaterialId, Opened, Origin, Presence};
 use crate::app::state::notice::Severity;
 use crate::app::state::probe::Probe;
@@ -68,10 +67,6 @@ fn scene_of(session: &SessionFile, ids: &[MaterialId], number: u64) -> Scene {
             })
             .collect(),
         selected: session.shown,
-        linked_channels: LinkedChannels {
-            rho_d: session.linked_channels.rho_d,
-            k_s: session.linked_channels.k_s,
-        },
         hidden: session
             .hidden
             .iter()

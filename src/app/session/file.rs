@@ -46,9 +46,6 @@ pub struct SessionFile {
     pub hidden: Vec<SavedKey>,
     /// Interpolation of the tables.
     pub lookup: Lookup,
-    /// Whether the channels of a colour move as one.
-    #[serde(rename = "grey")]
-    pub linked_channels: SavedLinkedChannels,
     /// Settings of the views.
     pub views: SettingsMap,
     /// Settings of the next fit.
@@ -156,16 +153,6 @@ pub enum SavedWhat {
         /// Key of the Fresnel factor.
         fresnel: String,
     },
-}
-
-/// Whether the channels of a colour move as one.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default, rename = "Grey")]
-pub struct SavedLinkedChannels {
-    /// Whether those of ρ_d do.
-    pub rho_d: bool,
-    /// Whether those of k_s do.
-    pub k_s: bool,
 }
 
 /// Settings of the next fit, and the order of the table of fits.

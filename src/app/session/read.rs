@@ -132,6 +132,8 @@ impl Reader {
         let (program, version) = (text("program"), text("version"));
         let layout: Option<Tiles> = self.part(given, "", "layout", None);
         self.spoken_of.push("layout".into());
+        // Sessions once said which colours moved as one; all do now, at their hue.
+        self.spoken_of.push("grey".into());
         SessionFile {
             grazing_session: VERSION,
             program,
@@ -143,7 +145,6 @@ impl Reader {
             shown: self.part(given, "", "shown", 0),
             hidden: self.part(given, "", "hidden", Vec::new()),
             lookup: self.part(given, "", "lookup", usual.lookup),
-            linked_channels: self.part(given, "", "grey", Default::default()),
             views: self.views(given),
             fit: self.part(given, "", "fit", Default::default()),
             probe: self.part(given, "", "probe", None),

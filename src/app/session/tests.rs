@@ -159,7 +159,6 @@ fn rich() -> State {
     let scene = &mut state.scene;
     scene.selected = 1;
     scene.opened[2].beside = true;
-    scene.linked_channels.rho_d = true;
     let fit = Variant::from(&brdf(2, Fresnel::Exact, 1.0));
     for (material, what) in [(2, What::Measured), (0, What::Fit(fit)), (1, What::Model)] {
         let material = scene.opened[material].id;
@@ -244,22 +243,25 @@ fn same(a: &str, b: &str, what: &str) {
 }
 
 #[test]
-fn linked_channels_are_grey_in_the_file() {
-    let mut state = State::default();
-    state.scene.linked_channels.rho_d = true;
-    let value: serde_json::Value = serde_json::from_str(&text(&state)).expect("JSON");
-    let expected = serde_json::json!({ "rho_d": true, "k_s": false });
-    assert_eq!(value["grey"], expected);
+fn what_old_sessions_said_of_grey_is_no_unknown_key() {
+    let mut value: Value = serde_json::from_str(&text(&rich())).expect("JSON");
+    let remarks = |value: &Value| {
+        let read = crate::app::session::read::read(&value.to_string());
+        read.expect("a session").1
+    };
+    value["grey"] = json!({ "rho_d": true, "k_s": false });
+    assert_eq!(remarks(&value), Vec::<String>::new());
+    value["gray"] = value["grey"].take();
+    assert!(remarks(&value).iter().any(|line| line.contains("gray")));
 }
 
 /// Changes that a session keeps, one each.
-const CHANGES: [fn(&mut State); 26] = [
+const CHANGES: [fn(&mut State); 25] = [
     |s| s.scene.selected = 3,
     |s| s.scene.opened.truncate(2),
     |s| s.scene.opened[1].brdf.params.k_s[2] += 1e-9,
     |s| s.scene.opened[2].brdf.params.eta = 1.7,
     |s| s.scene.opened[0].beside = true,
-    |s| s.scene.linked_channels.k_s = true,
     |s| s.scene.hidden.swap(0, 1),
     |s| s.scene.lookup = Lookup::Smooth,
     |s| s.scene.views.get_mut::<SphereSettings>().split = -0.5,

@@ -1,8 +1,8 @@
 //! Writer of sessions, from the state to their data.
 
 use crate::app::session::file::{
-    SavedBrdf, SavedFit, SavedFitting, SavedKey, SavedLinkedChannels, SavedMaterial, SavedProbe,
-    SavedWhat, SessionFile, VERSION,
+    SavedBrdf, SavedFit, SavedFitting, SavedKey, SavedMaterial, SavedProbe, SavedWhat, SessionFile,
+    VERSION,
 };
 use crate::app::state::State;
 use crate::app::state::fitting::FitState;
@@ -37,10 +37,6 @@ impl SessionFile {
                 .filter_map(|key| hidden(*key, position))
                 .collect(),
             lookup: scene.lookup,
-            linked_channels: SavedLinkedChannels {
-                rho_d: scene.linked_channels.rho_d,
-                k_s: scene.linked_channels.k_s,
-            },
             views: scene.views.clone(),
             fit: fitting(&state.fit),
             probe,

@@ -12,7 +12,6 @@ pub mod layout;
 pub mod layout_check;
 pub mod lesson;
 pub mod library;
-pub mod linked_channels;
 pub mod material;
 pub mod memory;
 pub mod notice;
@@ -23,6 +22,7 @@ pub mod sanitize;
 pub mod session;
 pub mod settings_map;
 pub mod shared_table;
+pub mod side_panels;
 pub mod sources;
 pub mod subject_key;
 pub mod subjects;
@@ -39,7 +39,6 @@ use crate::app::state::job::Job;
 use crate::app::state::layout::Tiles;
 use crate::app::state::lesson::LessonAt;
 use crate::app::state::library::Library;
-use crate::app::state::linked_channels::LinkedChannels;
 use crate::app::state::material::{Material, MaterialId, Opened};
 use crate::app::state::notice::{Dialog, Notice};
 use crate::app::state::prefs::Prefs;
@@ -59,8 +58,6 @@ pub struct Scene {
     pub opened: Vec<Opened>,
     /// Position of the shown one in `opened`.
     pub selected: usize,
-    /// Whether the three channels of a colour parameter move as one.
-    pub linked_channels: LinkedChannels,
     /// Subjects that the plots do not show, though their names are in the legends.
     pub hidden: Vec<SubjectKey>,
     /// Interpolation of the table in all views.
@@ -75,7 +72,6 @@ impl Default for Scene {
             session: 0,
             opened: Vec::new(),
             selected: 0,
-            linked_channels: LinkedChannels::default(),
             hidden: Vec::new(),
             lookup: Lookup::Smooth,
             views: SettingsMap::default(),

@@ -1,6 +1,7 @@
 //! Preferences, kept between runs.
 
 use crate::app::state::figure::FigurePrefs;
+use crate::app::state::side_panels::SidePanels;
 use crate::files::path_text;
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
@@ -22,6 +23,54 @@ pub struct Prefs {
     pub figure: FigurePrefs,
     /// Limit of the memory for tables.
     pub memory: MemoryLimit,
+    /// Open panels beside the tiles.
+    pub panels: SidePanels,
+    /// Size of everything in the window.
+    pub zoom: Zoom,
+}
+
+/// Size of everything in the window, in percent of what the system asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(from = "u32", into = "u32")]
+pub struct Zoom(u32);
+
+impl Zoom {
+    const STEP: u32 = 10;
+    const RANGE: std::ops::RangeInclusive<u32> = 50..=300;
+
+    /// Size as a factor.
+    pub fn factor(self) -> f32 {
+        self.0 as f32 / 100.0
+    }
+
+    /// One step larger.
+    pub fn larger(self) -> Self {
+        Self::from(self.0 + Self::STEP)
+    }
+
+    /// One step smaller.
+    pub fn smaller(self) -> Self {
+        Self::from(self.0.saturating_sub(Self::STEP))
+    }
+}
+
+impl Default for Zoom {
+    fn default() -> Self {
+        Self(100)
+    }
+}
+
+impl From<u32> for Zoom {
+    /// The nearest size at which the window can be read.
+    fn from(percent: u32) -> Self {
+        Self(percent.clamp(*Self::RANGE.start(), *Self::RANGE.end()))
+    }
+}
+
+impl From<Zoom> for u32 {
+    fn from(zoom: Zoom) -> Self {
+        zoom.0
+    }
 }
 
 /// Limit of the memory for tables, in MiB.

@@ -59,6 +59,20 @@ pub fn sized_choice_ui<T: Copy + PartialEq>(
     (chosen != value).then_some(chosen)
 }
 
+/// A check box with a marked-up label, named for screen readers and tests.
+pub fn tick_ui(ui: &mut egui::Ui, on: &mut bool, markup: &str, name: &str) -> egui::Response {
+    let color = if ui.is_enabled() {
+        ui.visuals().text_color()
+    } else {
+        ui.visuals().weak_text_color()
+    };
+    let job = paint::rich_text_job(&RichText::parse(markup), 13.5, color);
+    let tick = ui.checkbox(on, egui::WidgetText::from(job));
+    let (is_enabled, is_on) = (ui.is_enabled(), *on);
+    tick.widget_info(|| egui::WidgetInfo::selected(egui::Role::CheckBox, is_enabled, is_on, name));
+    tick
+}
+
 /// A symbol such as `θ_{i}`.
 pub fn symbol_ui(ui: &mut egui::Ui, markup: &str) {
     let color = ui.visuals().text_color();
@@ -101,4 +115,17 @@ pub fn values_tooltip(
         }));
         ui.label(format!("model {}", model.map_or("–".into(), text)));
     });
+}
+
+/// Three significant digits, four where they are free; nine characters at most.
+pub fn plain_number(value: f64) -> String {
+    if value == 0.0 {
+        return "0".into();
+    }
+    let digits = value.abs().log10().floor() as i32;
+    if !(-4..7).contains(&digits) {
+        return format!("{value:.1e}");
+    }
+    let decimals = if digits < 0 { 2 - digits } else { 3 - digits };
+    format!("{value:.*}", decimals.clamp(0, 6) as usize)
 }

@@ -8,4 +8,5 @@ pub mod heat;
 pub mod legend;
 pub mod paint;
 pub mod probe;
+pub mod toolbar;
 pub mod zoom;

@@ -4,6 +4,7 @@ use crate::app::command::table::{Row, ctrl, item, one};
 use crate::app::msg::command::Command;
 use crate::app::state::about::About;
 use crate::app::state::prefs::Theme;
+use crate::app::state::side_panels::{SIDES, Side};
 use crate::app::state::views::VIEWS;
 use crate::app::views::sphere::settings::{SHOWS, Show};
 use crate::figure::scale::RADIAL_SCALES;
@@ -69,6 +70,29 @@ pub(super) const ROWS: &[Row] = &[
         themes
             .map(|(theme, name)| item(Command::UseTheme(theme), name, "Colours of the window"))
             .into()
+    }),
+    one(
+        Command::ZoomIn,
+        "Zoom in",
+        ctrl(Key::Plus),
+        "Make everything in the window larger",
+    ),
+    one(
+        Command::ZoomOut,
+        "Zoom out",
+        ctrl(Key::Minus),
+        "Make everything in the window smaller",
+    ),
+    one(
+        Command::ZoomReset,
+        "Actual size",
+        ctrl(Key::Num0),
+        "Everything in the window at the size that the system asks for",
+    ),
+    Row::Each("Panels", || {
+        let help = "Open this panel, or fold it to a strip";
+        let row = |side: Side| item(Command::TogglePanel(side), side.name(), help);
+        SIDES.map(row).into()
     }),
     Row::Each("Tiles", || {
         let row = |about: &About| item(Command::ToggleTile(about.id), about.name, about.help[0]);

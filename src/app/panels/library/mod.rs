@@ -6,8 +6,10 @@ mod opened;
 
 use crate::app::command::Command;
 use crate::app::msg::Msg;
+use crate::app::panels::sides::fold_ui;
 use crate::app::state::State;
 use crate::app::state::material::Origin;
+use crate::app::state::side_panels::Side;
 use crate::files::folder::shown_name;
 use crate::measured::samples::SAMPLES;
 
@@ -18,6 +20,7 @@ pub fn library_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     ui.horizontal(|ui| {
         ui.heading("Materials");
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            fold_ui(ui, Side::Library, out);
             button_ui(ui, "Open…", Command::Open, out);
         });
     });

@@ -13,7 +13,7 @@ use crate::app::state::subjects::Subjects;
 use crate::app::views::albedo::settings::AlbedoSettings;
 use crate::app::views::albedo::work::{MeasuredAlbedo, curves, queries};
 use crate::app::widgets::legend::legend_ui;
-use crate::app::widgets::{controls, paint, probe, zoom};
+use crate::app::widgets::{controls, paint, probe, toolbar, zoom};
 use crate::figure::ProbeMark;
 use crate::figure::albedo::{AlbedoCurve, AlbedoPlot, AlbedoSpec};
 use crate::figure::palette::Palette;
@@ -29,17 +29,21 @@ pub fn albedo_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
     let (measured, models) = queries(&subjects.list);
     request(&state.caches, &measured, out);
     request(&state.caches, &models, out);
-    ui.horizontal_wrapped(|ui| {
-        if let Some(channel) = controls::channel_ui(ui, view.spec.channel) {
-            let mut changed = view.clone();
-            changed.spec.channel = channel;
-            out.push(Msg::set_view(changed));
-        }
-        // Models are there at once: only the long job is worth a word.
-        if let Some(progress) = state.caches.progress::<MeasuredAlbedo>() {
-            ui.add(egui::ProgressBar::new(progress).desired_width(90.0));
-            ui.weak("computing");
-        }
+    toolbar::row_ui(ui, |bar| {
+        bar.group(|ui| {
+            if let Some(channel) = controls::channel_ui(ui, view.spec.channel) {
+                let mut changed = view.clone();
+                changed.spec.channel = channel;
+                out.push(Msg::set_view(changed));
+            }
+        });
+        bar.group(|ui| {
+            // Models are there at once: only the long job is worth a word.
+            if let Some(progress) = state.caches.progress::<MeasuredAlbedo>() {
+                ui.add(egui::ProgressBar::new(progress).desired_width(90.0));
+                ui.weak("computing");
+            }
+        });
     });
     let (rect, response) = ui.allocate_exact_size(
         ui.available_size().max(Vec2::splat(60.0)),

@@ -14,7 +14,7 @@ use crate::app::state::sources::Sources;
 use crate::app::views::disc::settings::{DiscSettings, with_light_at, with_probe, zoomed};
 use crate::app::views::disc::work::DiscQuery;
 use crate::app::widgets::heat::DIMMED;
-use crate::app::widgets::{controls, empty, paint, probe, zoom};
+use crate::app::widgets::{controls, empty, paint, probe, toolbar, zoom};
 use crate::figure::Point;
 use crate::figure::disc::{DiscField, DiscPlot, DiscSpec, PROJECTIONS};
 use crate::figure::palette::Palette;
@@ -84,49 +84,60 @@ fn set(settings: &DiscSettings, change: impl FnOnce(&mut DiscSettings)) -> Msg {
 }
 
 fn toolbar_ui(ui: &mut egui::Ui, settings: &DiscSettings, out: &mut Vec<Msg>) {
-    ui.horizontal_wrapped(|ui| {
-        for shown in SHOWN {
-            let response = ui.selectable_label(settings.shown == shown, shown.name());
-            if response.on_hover_text(shown.help()).clicked() {
-                out.push(set(settings, |settings| {
-                    // Amounts, differences and factors have other ends.
-                    if !(shown.is_amount() && settings.shown.is_amount()) {
-                        settings.limits = None;
-                    }
-                    settings.shown = shown;
-                }));
+    toolbar::row_ui(ui, |bar| {
+        bar.group(|ui| {
+            for shown in SHOWN {
+                let response = ui.selectable_label(settings.shown == shown, shown.name());
+                if response.on_hover_text(shown.help()).clicked() {
+                    out.push(set(settings, |settings| {
+                        // Amounts, differences and factors have other ends.
+                        if !(shown.is_amount() && settings.shown.is_amount()) {
+                            settings.limits = None;
+                        }
+                        settings.shown = shown;
+                    }));
+                }
             }
-        }
-        ui.separator();
-        // Together where the line breaks.
-        let theta_i = ui.horizontal(|ui| {
+        });
+        bar.section(|ui| {
             controls::symbol_ui(ui, "θ_{i}");
             let range = 0.0..=MAX_THETA_I_DEG;
-            controls::angle_ui(ui, "theta_i", "Angle of incidence", settings.theta_i, range)
-        });
-        if let Some(theta_i) = theta_i.inner {
-            out.push(set(settings, |settings| settings.theta_i = theta_i));
-        }
-        let projections = PROJECTIONS.map(|projection| (projection, projection.name()));
-        let projection = controls::choice_ui(ui, "Projection", settings.projection, &projections);
-        if let Some(projection) = projection {
-            out.push(set(settings, |settings| settings.projection = projection));
-        }
-        ui.separator();
-        if settings.shown != Shown::Ratio {
-            let scales = RADIAL_SCALES.map(|scale| (scale, scale.name()));
-            if let Some(scale) = controls::choice_ui(ui, "Colour scale", settings.scale, &scales) {
-                out.push(set(settings, |settings| {
-                    (settings.scale, settings.limits) = (scale, None);
-                }));
+            let help = "Angle of incidence";
+            if let Some(theta_i) = controls::angle_ui(ui, "theta_i", help, settings.theta_i, range)
+            {
+                out.push(set(settings, |settings| settings.theta_i = theta_i));
             }
-        }
-        if let Some(channel) = controls::channel_ui(ui, settings.channel) {
-            out.push(set(settings, |settings| settings.channel = channel));
-        }
-        if let Some(cosine) = controls::cosine_ui(ui, settings.cosine) {
-            out.push(set(settings, |settings| settings.cosine = cosine));
-        }
+        });
+        bar.group(|ui| {
+            let projections = PROJECTIONS.map(|projection| (projection, projection.name()));
+            let projection =
+                controls::choice_ui(ui, "Projection", settings.projection, &projections);
+            if let Some(projection) = projection {
+                out.push(set(settings, |settings| settings.projection = projection));
+            }
+        });
+        bar.section(|ui| {
+            if settings.shown != Shown::Ratio {
+                let scales = RADIAL_SCALES.map(|scale| (scale, scale.name()));
+                if let Some(scale) =
+                    controls::choice_ui(ui, "Colour scale", settings.scale, &scales)
+                {
+                    out.push(set(settings, |settings| {
+                        (settings.scale, settings.limits) = (scale, None);
+                    }));
+                }
+            }
+        });
+        bar.group(|ui| {
+            if let Some(channel) = controls::channel_ui(ui, settings.channel) {
+                out.push(set(settings, |settings| settings.channel = channel));
+            }
+        });
+        bar.group(|ui| {
+            if let Some(cosine) = controls::cosine_ui(ui, settings.cosine) {
+                out.push(set(settings, |settings| settings.cosine = cosine));
+            }
+        });
     });
 }
 

@@ -14,7 +14,7 @@ use crate::app::state::shared_table::SharedTable;
 use crate::app::views::error_map::settings::ErrorMapSettings;
 use crate::app::views::error_map::work::ErrorMapQuery;
 use crate::app::widgets::heat::{HeatOnScreen, heat_ui};
-use crate::app::widgets::{controls, empty, probe};
+use crate::app::widgets::{controls, empty, probe, toolbar};
 use crate::export::fit_output::bins;
 use crate::figure::ProbeMark;
 use crate::figure::error_map::{ErrorSpec, Plane};
@@ -78,7 +78,8 @@ fn set(view: &ErrorMapSettings, change: impl FnOnce(&mut ErrorMapSettings)) -> M
 }
 
 fn toolbar_ui(ui: &mut egui::Ui, view: &ErrorMapSettings, out: &mut Vec<Msg>) {
-    ui.horizontal_wrapped(|ui| {
+    toolbar::row_ui(ui, |bar| {
+        bar.group(|ui| {
         for (plane, name, help) in [
             (
                 Plane::Directions,
@@ -99,11 +100,13 @@ fn toolbar_ui(ui: &mut egui::Ui, view: &ErrorMapSettings, out: &mut Vec<Msg>) {
                 }));
             }
         }
-        ui.separator();
-        let scales = RADIAL_SCALES.map(|scale| (scale, scale.name()));
-        if let Some(scale) = controls::choice_ui(ui, "Colour scale", view.scale, &scales) {
-            out.push(set(view, |view| view.scale = scale));
-        }
+});
+        bar.section(|ui| {
+            let scales = RADIAL_SCALES.map(|scale| (scale, scale.name()));
+            if let Some(scale) = controls::choice_ui(ui, "Colour scale", view.scale, &scales) {
+                out.push(set(view, |view| view.scale = scale));
+            }
+        });
     });
 }
 

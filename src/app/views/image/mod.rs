@@ -13,7 +13,7 @@ use crate::app::views::slices::settings::SliceSettings;
 use crate::app::widgets::formula::number;
 use crate::app::widgets::heat::{HeatOnScreen, heat_ui};
 use crate::app::widgets::paint::plain;
-use crate::app::widgets::{controls, probe};
+use crate::app::widgets::{controls, probe, toolbar};
 use crate::figure::heatmap::{Cell, HeatField};
 use crate::figure::image_slice::ImageSpec;
 use crate::figure::scale::RADIAL_SCALES;
@@ -45,41 +45,47 @@ fn set(view: &ImageSettings, change: impl FnOnce(&mut ImageSettings)) -> Msg {
 }
 
 fn toolbar_ui(ui: &mut egui::Ui, view: &ImageSettings, out: &mut Vec<Msg>) {
-    ui.horizontal_wrapped(|ui| {
-        for shown in SHOWN {
-            let response = ui.selectable_label(view.shown == shown, shown.name());
-            if response.on_hover_text(shown.help()).clicked() {
-                out.push(set(view, |view| view.shown = shown));
+    toolbar::row_ui(ui, |bar| {
+        bar.group(|ui| {
+            for shown in SHOWN {
+                let response = ui.selectable_label(view.shown == shown, shown.name());
+                if response.on_hover_text(shown.help()).clicked() {
+                    out.push(set(view, |view| view.shown = shown));
+                }
             }
-        }
-        ui.separator();
-        let hint = "Azimuth of the light around the half vector; 90° shows the usual picture";
-        // Together where the line breaks.
-        let phi_d = ui.horizontal(|ui| {
-            controls::symbol_ui(ui, "φ_{d}");
-            controls::angle_ui(ui, "phi_d", hint, view.phi_d, 0.0..=180.0)
         });
-        if let Some(phi_d) = phi_d.inner {
-            out.push(set(view, |view| view.phi_d = phi_d));
-        }
-        let mut root = view.root;
-        let hint = "Spread θh by its square root, so that all cells are of one size";
-        if ui.checkbox(&mut root, "√θh").on_hover_text(hint).changed() {
-            out.push(set(view, |view| view.root = root));
-        }
-        ui.separator();
-        if view.shown != Shown::Ratio {
-            let scales = RADIAL_SCALES.map(|scale| (scale, scale.name()));
-            if let Some(scale) = controls::choice_ui(ui, "Colour scale", view.scale, &scales) {
-                out.push(set(view, |view| view.scale = scale));
+        bar.section(|ui| {
+            let hint = "Azimuth of the light around the half vector; 90° shows the usual picture";
+            controls::symbol_ui(ui, "φ_{d}");
+            if let Some(phi_d) = controls::angle_ui(ui, "phi_d", hint, view.phi_d, 0.0..=180.0) {
+                out.push(set(view, |view| view.phi_d = phi_d));
             }
-        }
-        if let Some(channel) = controls::channel_ui(ui, view.channel) {
-            out.push(set(view, |view| view.channel = channel));
-        }
-        if let Some(cosine) = controls::cosine_ui(ui, view.cosine) {
-            out.push(set(view, |view| view.cosine = cosine));
-        }
+        });
+        bar.group(|ui| {
+            let mut root = view.root;
+            let hint = "Spread θh by its square root, so that all cells are of one size";
+            if ui.checkbox(&mut root, "√θh").on_hover_text(hint).changed() {
+                out.push(set(view, |view| view.root = root));
+            }
+        });
+        bar.section(|ui| {
+            if view.shown != Shown::Ratio {
+                let scales = RADIAL_SCALES.map(|scale| (scale, scale.name()));
+                if let Some(scale) = controls::choice_ui(ui, "Colour scale", view.scale, &scales) {
+                    out.push(set(view, |view| view.scale = scale));
+                }
+            }
+        });
+        bar.group(|ui| {
+            if let Some(channel) = controls::channel_ui(ui, view.channel) {
+                out.push(set(view, |view| view.channel = channel));
+            }
+        });
+        bar.group(|ui| {
+            if let Some(cosine) = controls::cosine_ui(ui, view.cosine) {
+                out.push(set(view, |view| view.cosine = cosine));
+            }
+        });
     });
 }
 

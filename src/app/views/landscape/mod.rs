@@ -10,10 +10,10 @@ use crate::app::msg::cache::{again, request, stop};
 use crate::app::state::State;
 use crate::app::views::landscape::settings::LandscapeSettings;
 use crate::app::views::landscape::work::{LandscapeQuery, path, place};
-use crate::app::widgets::empty;
 use crate::app::widgets::formula::number;
 use crate::app::widgets::heat::{HeatOnScreen, heat_ui};
 use crate::app::widgets::paint::plain;
+use crate::app::widgets::{empty, toolbar};
 use crate::brdf::Fresnel;
 use crate::export::fit_output::terrain;
 use crate::figure::heatmap::HeatView;
@@ -81,45 +81,51 @@ fn toolbar_ui(
     query: Option<&LandscapeQuery>,
     out: &mut Vec<Msg>,
 ) {
-    ui.horizontal_wrapped(|ui| {
-        let with_fresnel = query.is_some_and(|query| query.fresnel != Fresnel::None);
-        for (solve_eta, name, help) in [
-            (false, "η fixed", "Keep η where its slider stands"),
-            (
-                true,
-                "η solved",
-                "Take the best η at each point; takes longer",
-            ),
-        ] {
-            let chosen = with_fresnel && view.solve_eta == solve_eta;
-            let button = egui::Button::selectable(chosen, name);
-            let response = ui.add_enabled(with_fresnel, button);
-            if response.on_hover_text(help).clicked() {
-                out.push(set(view, |view| view.solve_eta = solve_eta));
+    toolbar::row_ui(ui, |bar| {
+        bar.group(|ui| {
+            let with_fresnel = query.is_some_and(|query| query.fresnel != Fresnel::None);
+            for (solve_eta, name, help) in [
+                (false, "η fixed", "Keep η where its slider stands"),
+                (
+                    true,
+                    "η solved",
+                    "Take the best η at each point; takes longer",
+                ),
+            ] {
+                let chosen = with_fresnel && view.solve_eta == solve_eta;
+                let button = egui::Button::selectable(chosen, name);
+                let response = ui.add_enabled(with_fresnel, button);
+                if response.on_hover_text(help).clicked() {
+                    out.push(set(view, |view| view.solve_eta = solve_eta));
+                }
             }
-        }
-        if ui
-            .add_enabled(view.view != HeatView::default(), egui::Button::new("Whole"))
-            .on_hover_text("Show the whole landscape again")
-            .clicked()
-        {
-            out.push(set(view, |view| view.view = HeatView::default()));
-        }
+        });
+        bar.group(|ui| {
+            if ui
+                .add_enabled(view.view != HeatView::default(), egui::Button::new("Whole"))
+                .on_hover_text("Show the whole landscape again")
+                .clicked()
+            {
+                out.push(set(view, |view| view.view = HeatView::default()));
+            }
+        });
         let Some(query) = query else {
             return;
         };
-        if let Some(progress) = state.caches.progress::<LandscapeQuery>() {
-            ui.separator();
-            if ui.button("Stop").clicked() {
-                out.push(stop::<LandscapeQuery>());
+        bar.group(|ui| {
+            if let Some(progress) = state.caches.progress::<LandscapeQuery>() {
+                ui.separator();
+                if ui.button("Stop").clicked() {
+                    out.push(stop::<LandscapeQuery>());
+                }
+                ui.weak(format!("{:.0} %", 100.0 * progress));
+            } else if state.caches.is_stopped(query) {
+                ui.separator();
+                if ui.button("Go on").clicked() {
+                    out.push(again(query));
+                }
             }
-            ui.weak(format!("{:.0} %", 100.0 * progress));
-        } else if state.caches.is_stopped(query) {
-            ui.separator();
-            if ui.button("Go on").clicked() {
-                out.push(again(query));
-            }
-        }
+        });
     });
 }
 

@@ -11,7 +11,7 @@ use crate::app::state::probe::Probe;
 use crate::app::state::subjects::Subjects;
 use crate::app::views::lobe3d::settings::Lobe3dSettings;
 use crate::app::widgets::legend::legend_ui;
-use crate::app::widgets::{controls, paint, probe};
+use crate::app::widgets::{controls, paint, probe, toolbar};
 use crate::figure::lobe3d::{Camera, Detail, Lobes, Overlay, Shape, pick};
 use crate::figure::palette::Palette;
 use crate::figure::scale::RADIAL_SCALES;
@@ -84,38 +84,44 @@ fn lobes_of(ui: &egui::Ui, shape: Shape, subjects: &Subjects) -> Arc<Lobes> {
 
 fn toolbar_ui(ui: &mut egui::Ui, view: &Lobe3dSettings, probed: Option<f64>, out: &mut Vec<Msg>) {
     let mut changed = *view;
-    ui.horizontal_wrapped(|ui| {
-        for scale in RADIAL_SCALES {
-            let help = "How values become lengths";
-            if ui
-                .selectable_label(view.scale == scale, scale.name())
-                .on_hover_text(help)
-                .clicked()
-            {
-                changed.scale = scale;
-            }
-        }
-        ui.separator();
-        controls::symbol_ui(ui, "θ_{i}");
-        let help = if probed.is_some() {
-            "Angle of incidence: the probe's"
-        } else {
-            "Angle of incidence"
-        };
-        ui.add_enabled_ui(probed.is_none(), |ui| {
-            let angle = probed.unwrap_or(view.theta_i);
-            let range = 0.0..=MAX_THETA_I_DEG;
-            if let Some(angle) = controls::angle_ui(ui, "theta_i", help, angle, range) {
-                changed.theta_i = angle;
+    toolbar::row_ui(ui, |bar| {
+        bar.group(|ui| {
+            for scale in RADIAL_SCALES {
+                let help = "How values become lengths";
+                if ui
+                    .selectable_label(view.scale == scale, scale.name())
+                    .on_hover_text(help)
+                    .clicked()
+                {
+                    changed.scale = scale;
+                }
             }
         });
-        ui.separator();
-        if let Some(channel) = controls::channel_ui(ui, view.channel) {
-            changed.channel = channel;
-        }
-        if let Some(cosine) = controls::cosine_ui(ui, view.cosine) {
-            changed.cosine = cosine;
-        }
+        bar.section(|ui| {
+            controls::symbol_ui(ui, "θ_{i}");
+            let help = if probed.is_some() {
+                "Angle of incidence: the probe's"
+            } else {
+                "Angle of incidence"
+            };
+            ui.add_enabled_ui(probed.is_none(), |ui| {
+                let angle = probed.unwrap_or(view.theta_i);
+                let range = 0.0..=MAX_THETA_I_DEG;
+                if let Some(angle) = controls::angle_ui(ui, "theta_i", help, angle, range) {
+                    changed.theta_i = angle;
+                }
+            });
+        });
+        bar.section(|ui| {
+            if let Some(channel) = controls::channel_ui(ui, view.channel) {
+                changed.channel = channel;
+            }
+        });
+        bar.group(|ui| {
+            if let Some(cosine) = controls::cosine_ui(ui, view.cosine) {
+                changed.cosine = cosine;
+            }
+        });
     });
     if changed != *view {
         out.push(Msg::set_view(changed));

@@ -11,7 +11,7 @@ use crate::app::state::probe::Probe;
 use crate::app::state::subjects::Subjects;
 use crate::app::views::lobes::settings::{LobeSettings, drawable};
 use crate::app::widgets::legend::legend_ui;
-use crate::app::widgets::{controls, paint, probe, zoom};
+use crate::app::widgets::{controls, paint, probe, toolbar, zoom};
 use crate::figure::Point;
 use crate::figure::lobes::LobePlot;
 use crate::figure::palette::Palette;
@@ -41,56 +41,62 @@ pub fn lobes_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
 }
 
 fn toolbar_ui(ui: &mut egui::Ui, tile: &LobeSettings, out: &mut Vec<Msg>) {
-    ui.horizontal_wrapped(|ui| {
-        for scale in RADIAL_SCALES {
-            let response = ui.selectable_label(tile.scale == scale, scale.name());
-            if response
-                .on_hover_text(Command::UseScale(scale).hint(ui.ctx()))
+    toolbar::row_ui(ui, |bar| {
+        bar.group(|ui| {
+            for scale in RADIAL_SCALES {
+                let response = ui.selectable_label(tile.scale == scale, scale.name());
+                if response
+                    .on_hover_text(Command::UseScale(scale).hint(ui.ctx()))
+                    .clicked()
+                {
+                    out.push(Msg::Run(Command::UseScale(scale)));
+                }
+            }
+        });
+        bar.section(|ui| {
+            controls::symbol_ui(ui, "θ_{i}");
+            for (index, theta_i) in tile.theta_i.iter().enumerate() {
+                let name = format!("theta_i {}", index + 1);
+                let range = 0.0..=MAX_THETA_I_DEG;
+                if let Some(angle) =
+                    controls::angle_ui(ui, &name, "Angle of incidence", *theta_i, range)
+                {
+                    out.push(Msg::set_view(with_theta_i(tile, index, angle.to_degrees())));
+                }
+            }
+            let few = tile.theta_i.len() < 5;
+            if ui
+                .add_enabled(few, egui::Button::new("+").small())
+                .on_hover_text("Add an angle")
                 .clicked()
             {
-                out.push(Msg::Run(Command::UseScale(scale)));
+                out.push(Msg::set_view(added(tile)));
             }
-        }
-        ui.separator();
-        controls::symbol_ui(ui, "θ_{i}");
-        for (index, theta_i) in tile.theta_i.iter().enumerate() {
-            let name = format!("theta_i {}", index + 1);
-            let range = 0.0..=MAX_THETA_I_DEG;
-            if let Some(angle) =
-                controls::angle_ui(ui, &name, "Angle of incidence", *theta_i, range)
+            let many = tile.theta_i.len() > 1;
+            if ui
+                .add_enabled(many, egui::Button::new("−").small())
+                .on_hover_text("Remove the active angle")
+                .clicked()
             {
-                out.push(Msg::set_view(with_theta_i(tile, index, angle.to_degrees())));
+                out.push(Msg::set_view(removed(tile)));
             }
-        }
-        let few = tile.theta_i.len() < 5;
-        if ui
-            .add_enabled(few, egui::Button::new("+").small())
-            .on_hover_text("Add an angle")
-            .clicked()
-        {
-            out.push(Msg::set_view(added(tile)));
-        }
-        let many = tile.theta_i.len() > 1;
-        if ui
-            .add_enabled(many, egui::Button::new("−").small())
-            .on_hover_text("Remove the active angle")
-            .clicked()
-        {
-            out.push(Msg::set_view(removed(tile)));
-        }
-        ui.separator();
-        if let Some(channel) = controls::channel_ui(ui, tile.channel) {
-            out.push(Msg::set_view(LobeSettings {
-                channel,
-                ..tile.clone()
-            }));
-        }
-        if let Some(cosine) = controls::cosine_ui(ui, tile.cosine) {
-            out.push(Msg::set_view(LobeSettings {
-                cosine,
-                ..tile.clone()
-            }));
-        }
+        });
+        bar.section(|ui| {
+            if let Some(channel) = controls::channel_ui(ui, tile.channel) {
+                out.push(Msg::set_view(LobeSettings {
+                    channel,
+                    ..tile.clone()
+                }));
+            }
+        });
+        bar.group(|ui| {
+            if let Some(cosine) = controls::cosine_ui(ui, tile.cosine) {
+                out.push(Msg::set_view(LobeSettings {
+                    cosine,
+                    ..tile.clone()
+                }));
+            }
+        });
     });
 }
 

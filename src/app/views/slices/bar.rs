@@ -2,8 +2,9 @@
 
 use crate::app::msg::Msg;
 use crate::app::views::slices::settings::SliceSettings;
-use crate::app::widgets::controls;
 use crate::app::widgets::controls::sized_choice_ui;
+use crate::app::widgets::toolbar::Groups;
+use crate::app::widgets::{controls, toolbar};
 use crate::figure::scale::{RADIAL_SCALES, RadialScale};
 use crate::figure::slices::{OVERS, Over, RESIDUALS, Residual, SliceSpec};
 use crate::figure::subject::CHANNELS;
@@ -15,26 +16,28 @@ const MOST: usize = 5;
 /// Draws it. `shown` is what the plot shows: the view's own slices, or those through the probe.
 pub fn toolbar_ui(ui: &mut egui::Ui, view: &SliceSettings, shown: &SliceSpec, out: &mut Vec<Msg>) {
     let mut changed = view.clone();
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 5.0;
-        let spec = &mut changed.spec;
-        for over in OVERS {
-            let response = ui.selectable_label(spec.over == over, over.name());
-            let hint = format!("Slices over {}", over.name());
-            if response.on_hover_text(hint).clicked() {
-                // Another angle: neither the old window nor the old limits mean anything.
-                (spec.over, spec.window, spec.limits) = (over, None, None);
+    toolbar::row_ui(ui, |bar| {
+        bar.group(|ui| {
+            let spec = &mut changed.spec;
+            for over in OVERS {
+                let response = ui.selectable_label(spec.over == over, over.name());
+                let hint = format!("Slices over {}", over.name());
+                if response.on_hover_text(hint).clicked() {
+                    // Another angle: neither the old window nor the old limits mean anything.
+                    (spec.over, spec.window, spec.limits) = (over, None, None);
+                }
             }
-        }
-        ui.separator();
-        let over = spec.over;
-        angles_ui(ui, spec, shown);
-        if over == view.spec.over && changed.spec != view.spec {
-            // An angle that is set by hand is not the probe's.
-            changed.follow = false;
-        }
-        follow_ui(ui, &mut changed.follow);
-        shown_ui(ui, &mut changed.spec);
+        });
+        bar.section(|ui| {
+            let before = changed.spec.clone();
+            angles_ui(ui, &mut changed.spec, shown);
+            if changed.spec != before {
+                // An angle that is set by hand is not the probe's.
+                changed.follow = false;
+            }
+        });
+        bar.group(|ui| follow_ui(ui, &mut changed.follow));
+        shown_ui(bar, &mut changed.spec);
     });
     if changed != *view {
         out.push(Msg::set_view(changed));
@@ -100,20 +103,28 @@ fn angles_ui(ui: &mut egui::Ui, spec: &mut SliceSpec, shown: &SliceSpec) {
 }
 
 /// Scale, residual, channel, cosine.
-fn shown_ui(ui: &mut egui::Ui, spec: &mut SliceSpec) {
-    let scales: Vec<(RadialScale, &str)> = RADIAL_SCALES.map(|s| (s, s.name())).to_vec();
-    if let Some(scale) = sized_choice_ui(ui, "Scale", spec.scale, &scales, 66.0) {
-        (spec.scale, spec.limits) = (scale, None);
-    }
-    let residuals: Vec<(Residual, &str)> = RESIDUALS.map(|r| (r, r.name())).to_vec();
-    if let Some(residual) = sized_choice_ui(ui, "Residual", spec.residual, &residuals, 84.0) {
-        spec.residual = residual;
-    }
-    let channels = CHANNELS.map(|channel| (channel, channel.name()));
-    if let Some(channel) = sized_choice_ui(ui, "Channel", spec.channel, &channels, 80.0) {
-        spec.channel = channel;
-    }
-    if let Some(cosine) = controls::cosine_ui(ui, spec.cosine) {
-        spec.cosine = cosine;
-    }
+fn shown_ui(bar: &mut Groups<'_>, spec: &mut SliceSpec) {
+    bar.section(|ui| {
+        let scales: Vec<(RadialScale, &str)> = RADIAL_SCALES.map(|s| (s, s.name())).to_vec();
+        if let Some(scale) = sized_choice_ui(ui, "Scale", spec.scale, &scales, 66.0) {
+            (spec.scale, spec.limits) = (scale, None);
+        }
+    });
+    bar.group(|ui| {
+        let residuals: Vec<(Residual, &str)> = RESIDUALS.map(|r| (r, r.name())).to_vec();
+        if let Some(residual) = sized_choice_ui(ui, "Residual", spec.residual, &residuals, 84.0) {
+            spec.residual = residual;
+        }
+    });
+    bar.group(|ui| {
+        let channels = CHANNELS.map(|channel| (channel, channel.name()));
+        if let Some(channel) = sized_choice_ui(ui, "Channel", spec.channel, &channels, 80.0) {
+            spec.channel = channel;
+        }
+    });
+    bar.group(|ui| {
+        if let Some(cosine) = controls::cosine_ui(ui, spec.cosine) {
+            spec.cosine = cosine;
+        }
+    });
 }

@@ -12,7 +12,7 @@ use crate::app::state::State;
 use crate::app::state::probe::{Probe, same};
 use crate::app::views::sphere::callback::Half;
 use crate::app::views::sphere::settings::{SHOWS, Show, SphereSettings};
-use crate::app::widgets::{empty, probe, zoom};
+use crate::app::widgets::{empty, probe, toolbar, zoom};
 use crate::geom::HalfDiff;
 use crate::geom::limits::MAX_EXPOSURE_STOPS;
 use crate::geom::sight::Sight;
@@ -67,51 +67,55 @@ pub fn sphere_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
 }
 
 fn toolbar_ui(ui: &mut egui::Ui, state: &State, tile: &SphereSettings, out: &mut Vec<Msg>) {
-    ui.horizontal_wrapped(|ui| {
+    toolbar::row_ui(ui, |bar| {
         for show in SHOWS {
-            let response = ui.selectable_label(tile.show == show, show.name());
-            if response
-                .on_hover_text(Command::UseShow(show).hint(ui.ctx()))
-                .clicked()
-            {
-                out.push(Msg::Run(Command::UseShow(show)));
-            }
-        }
-        ui.separator();
-        ui.menu_button("Lights", |ui| {
-            for (index, preset) in LIGHT_PRESETS.iter().enumerate() {
-                let checked = Command::UseLights(index).is_checked(state).unwrap_or(false);
-                if ui
-                    .selectable_label(checked, preset.name)
-                    .on_hover_text(preset.help)
+            bar.group(|ui| {
+                let response = ui.selectable_label(tile.show == show, show.name());
+                if response
+                    .on_hover_text(Command::UseShow(show).hint(ui.ctx()))
                     .clicked()
                 {
-                    out.push(Msg::Run(Command::UseLights(index)));
+                    out.push(Msg::Run(Command::UseShow(show)));
                 }
+            });
+        }
+        bar.section(|ui| {
+            ui.menu_button("Lights", |ui| {
+                for (index, preset) in LIGHT_PRESETS.iter().enumerate() {
+                    let checked = Command::UseLights(index).is_checked(state).unwrap_or(false);
+                    if ui
+                        .selectable_label(checked, preset.name)
+                        .on_hover_text(preset.help)
+                        .clicked()
+                    {
+                        out.push(Msg::Run(Command::UseLights(index)));
+                    }
+                }
+            });
+        });
+        bar.section(|ui| {
+            let mut exposure = tile.view.exposure_stops;
+            let label = ui.label("Exposure");
+            let drag = egui::DragValue::new(&mut exposure)
+                .speed(0.02)
+                .range(-MAX_EXPOSURE_STOPS..=MAX_EXPOSURE_STOPS)
+                .suffix(" EV")
+                .fixed_decimals(1);
+            let response = ui
+                .add(drag)
+                .labelled_by(label.id)
+                .on_hover_text("Exposure in stops. Double click on the word: 0.");
+            if response.changed() {
+                out.push(Msg::set_view(with(tile, |tile| {
+                    tile.view.exposure_stops = exposure;
+                })));
+            }
+            if label.interact(Sense::click()).double_clicked() {
+                out.push(Msg::set_view(with(tile, |tile| {
+                    tile.view.exposure_stops = 0.0;
+                })));
             }
         });
-        ui.separator();
-        let mut exposure = tile.view.exposure_stops;
-        let label = ui.label("Exposure");
-        let drag = egui::DragValue::new(&mut exposure)
-            .speed(0.02)
-            .range(-MAX_EXPOSURE_STOPS..=MAX_EXPOSURE_STOPS)
-            .suffix(" EV")
-            .fixed_decimals(1);
-        let response = ui
-            .add(drag)
-            .labelled_by(label.id)
-            .on_hover_text("Exposure in stops. Double click on the word: 0.");
-        if response.changed() {
-            out.push(Msg::set_view(with(tile, |tile| {
-                tile.view.exposure_stops = exposure;
-            })));
-        }
-        if label.interact(Sense::click()).double_clicked() {
-            out.push(Msg::set_view(with(tile, |tile| {
-                tile.view.exposure_stops = 0.0;
-            })));
-        }
     });
 }
 
@@ -193,6 +197,8 @@ fn caption(ui: &egui::Ui, sphere: &SphereOnScreen) {
     let put = |at: Pos2, align: Align2, text: &str| word(ui, at, align, text, 13.0);
     let rect = sphere.frame;
     match sphere.half {
+        // Below that width one would lie over the other.
+        Half::Split(_) if rect.width() < 2.2 * 60.0 => {}
         Half::Split(_) => {
             put(rect.left_top(), Align2::LEFT_TOP, "measured");
             put(rect.right_top(), Align2::RIGHT_TOP, "model");
