@@ -11,6 +11,7 @@
 use eframe::egui;
 use grazing::app::msg::Msg;
 use grazing::app::state::layout::Tiles;
+use grazing::app::state::prefs::{FitOnOpening, Prefs};
 use grazing::app::state::views::VIEWS;
 use grazing::app::views::albedo::work::MeasuredAlbedo;
 use grazing::app::views::landscape::work::LandscapeQuery;
@@ -165,6 +166,11 @@ fn app(
         files: vec![],
         picker: Picker::system(),
         autosave: None,
+        // A fit in the background would be measured with the frames.
+        prefs: Prefs {
+            fit_on_opening: FitOnOpening(false),
+            ..Prefs::default()
+        },
     };
     let mut app = App::new(cc, options)?;
     match kind {

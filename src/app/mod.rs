@@ -55,6 +55,8 @@ pub struct WindowOptions {
     pub picker: Picker,
     /// The folder where what is open is kept for a crash; without one, nothing is.
     pub autosave: Option<PathBuf>,
+    /// Preferences where none are kept from an earlier run.
+    pub prefs: Prefs,
 }
 
 /// The program in its window.
@@ -101,6 +103,7 @@ impl App {
             shown_zoom: None,
             shown_title: "Grazing".into(),
         };
+        app.handle(&cc.egui_ctx, Msg::SetPrefs(Box::new(options.prefs)));
         for msg in kept(cc) {
             app.handle(&cc.egui_ctx, msg);
         }

@@ -1,6 +1,7 @@
 //! Opening the window, and plain words where it cannot be opened.
 
 use crate::app::jobs::dialogs::Picker;
+use crate::app::state::prefs::Prefs;
 use crate::app::{App, WindowOptions};
 use crate::gpu::adapter;
 use eframe::egui_wgpu;
@@ -33,6 +34,7 @@ pub fn run(files: Vec<PathBuf>) -> Result<(), String> {
         files,
         picker: Picker::system(),
         autosave: eframe::storage_dir("grazing").map(|folder| folder.join("autosave")),
+        prefs: Prefs::default(),
     };
     eframe::run_native(
         "grazing",

@@ -8,6 +8,7 @@ use egui_kittest::{Harness, HarnessBuilder};
 use grazing::app::command::Command;
 use grazing::app::msg::Msg;
 use grazing::app::state::State;
+use grazing::app::state::prefs::{FitOnOpening, Prefs};
 use grazing::app::state::view_settings::Settings;
 use grazing::app::{App, Picker, WindowOptions};
 use grazing::brdf::ParamId;
@@ -25,6 +26,14 @@ pub fn window(files: Vec<PathBuf>, to_open: Vec<PathBuf>) -> Window {
     window_with(files, picker)
 }
 
+/// Preferences of a window whose materials stay as they were guessed until a test asks for a fit.
+pub fn not_fitted_on_opening() -> Prefs {
+    Prefs {
+        fit_on_opening: FitOnOpening(false),
+        ..Prefs::default()
+    }
+}
+
 /// Dialogs that are closed without an answer.
 pub fn nothing_picked() -> Picker {
     Picker {
@@ -40,6 +49,7 @@ pub fn window_with(files: Vec<PathBuf>, picker: Picker) -> Window {
         files,
         picker,
         autosave: None,
+        prefs: not_fitted_on_opening(),
     })
 }
 
@@ -54,6 +64,7 @@ pub fn with_answers(files: &[&Path], open: Option<&Path>, save: Option<&Path>) -
             ..nothing_picked()
         },
         autosave: None,
+        prefs: not_fitted_on_opening(),
     }
 }
 

@@ -17,8 +17,9 @@ use grazing::fit::{
 use grazing::measured::{Grid, Table};
 
 /// A state with `count` grey materials, the last of them shown.
-fn state(count: usize) -> State {
+pub(crate) fn state(count: usize) -> State {
     let mut state = State::default();
+    state.prefs.fit_on_opening.0 = false;
     for k in 0..count {
         let table = Table::new(Grid::FOLDED, vec![[0.1; 3]; Grid::FOLDED.len()]);
         let result = Ok(Loaded::new(format!("grey {k}"), None, table));
@@ -28,7 +29,7 @@ fn state(count: usize) -> State {
     state
 }
 
-fn loaded(origin: Origin, result: Result<Loaded, Option<String>>) -> Msg {
+pub(crate) fn loaded(origin: Origin, result: Result<Loaded, Option<String>>) -> Msg {
     Msg::Loaded {
         job: 0,
         origin,
@@ -36,26 +37,26 @@ fn loaded(origin: Origin, result: Result<Loaded, Option<String>>) -> Msg {
     }
 }
 
-fn run(state: &mut State, command: Command) -> Vec<Task> {
+pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
     apply(state, Msg::Run(command))
 }
 
-fn shown(state: &State) -> Brdf {
+pub(crate) fn shown(state: &State) -> Brdf {
     state.current().expect("a material").1.brdf
 }
 
-fn shown_id(state: &State) -> MaterialId {
+pub(crate) fn shown_id(state: &State) -> MaterialId {
     state.current().expect("a material").1.id
 }
 
-fn with_s(state: &State, s: f64) -> Brdf {
+pub(crate) fn with_s(state: &State, s: f64) -> Brdf {
     let mut brdf = shown(state);
     brdf.params.s = s;
     brdf
 }
 
 /// The number of the fit that the tasks start.
-fn job(tasks: &[Task]) -> u64 {
+pub(crate) fn job(tasks: &[Task]) -> u64 {
     let fit = tasks.iter().find_map(|task| match task {
         Task::Fit(task) => Some(task.job),
         _ => None,
@@ -63,7 +64,7 @@ fn job(tasks: &[Task]) -> u64 {
     fit.expect("a fit is started")
 }
 
-fn say(state: &mut State, job: u64, position: usize, brdf: Brdf) {
+pub(crate) fn say(state: &mut State, job: u64, position: usize, brdf: Brdf) {
     let progress = FitProgress {
         stage: Stage::Joint,
         brdf,
@@ -79,7 +80,7 @@ fn say(state: &mut State, job: u64, position: usize, brdf: Brdf) {
     );
 }
 
-fn outcome(brdf: Brdf, error: f64, ended: EndReason) -> Timed {
+pub(crate) fn outcome(brdf: Brdf, error: f64, ended: EndReason) -> Timed {
     Timed {
         outcome: Outcome {
             brdf,
@@ -98,13 +99,13 @@ fn outcome(brdf: Brdf, error: f64, ended: EndReason) -> Timed {
     }
 }
 
-fn done(state: &mut State, job: u64, outcomes: Vec<Timed>) {
+pub(crate) fn done(state: &mut State, job: u64, outcomes: Vec<Timed>) {
     let result = Ok(outcomes);
     let msg = FitMsg::Done { job, result };
     apply(state, Msg::Fit(msg));
 }
 
-fn set(state: &mut State, id: ParamId, value: f64) -> Vec<Task> {
+pub(crate) fn set(state: &mut State, id: ParamId, value: f64) -> Vec<Task> {
     let channel = None;
     apply(state, Msg::SetParam { id, channel, value })
 }

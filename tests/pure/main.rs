@@ -9,3 +9,4 @@ mod common {
 mod fit_laws;
 mod fit_steps;
 mod layout;
+mod opening_fit;

@@ -1,6 +1,8 @@
 //! The window as pictures. `UPDATE_SNAPSHOTS=1 cargo test --test window look` accepts what is drawn now.
 
-use crate::common::window::{Window, nothing_picked, run, send, settings, settle};
+use crate::common::window::{
+    Window, not_fitted_on_opening, nothing_picked, run, send, settings, settle,
+};
 use egui_kittest::{Harness, SnapshotOptions};
 use grazing::app::command::Command;
 use grazing::app::msg::Msg;
@@ -29,6 +31,7 @@ fn window_of(theme: Theme, size: [f32; 2]) -> Window {
                     files: vec![],
                     picker: nothing_picked(),
                     autosave: None,
+                    prefs: not_fitted_on_opening(),
                 },
             )
             .expect("a renderer")

@@ -30,6 +30,7 @@ mod lobe3d;
 mod look;
 mod odd_names;
 mod open_fit;
+mod opening;
 mod paper;
 mod parity;
 mod probe;

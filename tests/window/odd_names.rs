@@ -6,8 +6,8 @@
 use crate::common::folder::Folder;
 use crate::common::records::{combined, only_named, record, write_fits, write_merl};
 use crate::common::window::{
-    Window, click, nothing_picked, run, send, set_slider, settle, settle_on, window_with_boxes,
-    with_answers,
+    Window, click, not_fitted_on_opening, nothing_picked, run, send, set_slider, settle, settle_on,
+    window_with_boxes, with_answers,
 };
 use eframe::App as _;
 use grazing::app::command::Command;
@@ -199,6 +199,7 @@ fn after_a_crash_the_file_and_the_name_of_the_session_come_back() {
                 ..nothing_picked()
             },
             autosave: Some(kept.clone()),
+            prefs: not_fitted_on_opening(),
         });
         send(&mut window, Msg::SetLayout(Tiles::none()));
         window

@@ -3,8 +3,8 @@
 use crate::common::folder::Folder;
 use crate::common::records::{combined, only_named, record, write_fits, write_merl};
 use crate::common::window::{
-    Window, click, nothing_picked, press, run, send, set_slider, settle, settle_on, window,
-    window_of, with_answers,
+    Window, click, not_fitted_on_opening, nothing_picked, press, run, send, set_slider, settle,
+    settle_on, window, window_of, with_answers,
 };
 use eframe::App as _;
 use egui::accesskit::Role;
@@ -39,6 +39,7 @@ fn kept_in(folder: &Path, files: &[&Path]) -> Window {
         files: files.iter().map(|file| file.to_path_buf()).collect(),
         picker: nothing_picked(),
         autosave: Some(folder.to_owned()),
+        prefs: not_fitted_on_opening(),
     });
     send(&mut window, Msg::SetLayout(Tiles::none()));
     window
@@ -531,6 +532,7 @@ fn a_save_that_fails_says_so_and_leaves_what_was_there() {
             ..nothing_picked()
         },
         autosave: None,
+        prefs: not_fitted_on_opening(),
     });
     run(&mut window, Command::SaveSession);
     settle(&mut window, |_| {

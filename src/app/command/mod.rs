@@ -137,6 +137,7 @@ impl Command {
             Self::UseModel(index) => brdf.is_some_and(|brdf| brdf.model.index() == index),
             Self::UseFresnel(fresnel) => brdf.is_some_and(|brdf| brdf.fresnel == fresnel),
             Self::ToggleKeepOptimal => state.fit.keep_optimal,
+            Self::ToggleFitOnOpening => state.prefs.fit_on_opening.0,
             Self::ToggleFromSliders => state.fit.settings.from_sliders,
             Self::UseWeight(weight) => state.fit.settings.weight == weight,
             Self::UseShow(show) => scene.views.get::<SphereSettings>().show == show,

@@ -48,6 +48,7 @@ pub enum Command {
     CancelFit,
     ToggleKeepOptimal,
     ToggleFromSliders,
+    ToggleFitOnOpening,
     UseWeight(Weight),
     NextMaterial,
     PreviousMaterial,

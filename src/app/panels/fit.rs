@@ -5,14 +5,15 @@ use crate::app::msg::Msg;
 use crate::app::msg::fit::FitMsg;
 use crate::app::panels::{fit_result, fit_stages};
 use crate::app::state::State;
+use crate::app::state::fitting::kept::short_variant_name;
 use crate::app::state::fitting::settings::FitSettings;
 use crate::app::widgets::controls::{plain_number, tick_ui};
 use crate::app::widgets::paint::rich_text_job;
 use crate::brdf::params::ALL;
 use crate::brdf::{Brdf, Param};
 use crate::figure::text::RichText;
-use crate::fit::WEIGHTS;
 use crate::fit::options::default_bounds;
+use crate::fit::{Variant, WEIGHTS};
 
 /// Least and greatest grazing limit that is offered, in degrees.
 const LIMIT_DEG: std::ops::RangeInclusive<f64> = 20.0..=90.0;
@@ -21,6 +22,10 @@ const LIMIT_DEG: std::ops::RangeInclusive<f64> = 20.0..=90.0;
 pub fn head_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     ui.horizontal(|ui| {
         ui.heading("Fit");
+        if let Some((_, opened)) = state.current() {
+            let variant = short_variant_name(Variant::from(&opened.brdf));
+            ui.weak(variant).on_hover_text("Model that is fitted");
+        }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             buttons_ui(ui, state, out);
         });

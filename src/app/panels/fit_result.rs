@@ -5,6 +5,7 @@ use crate::app::msg::fit::FitMsg;
 use crate::app::state::State;
 use crate::app::state::fitting::kept::{KeptFit, variant_name};
 use crate::app::state::fitting::run::{FitRun, Part};
+use crate::app::state::material::{Material, Opened};
 use crate::app::widgets::formula::hundredths;
 use crate::app::widgets::paint::rich_text_job;
 use crate::app::widgets::{fit_details, paint};
@@ -48,7 +49,14 @@ pub fn line_ui(ui: &mut egui::Ui, state: &State) {
         (Some((run, part)), _) => running_ui(ui, run, part),
         (None, Some(kept)) => error_ui(ui, state, kept),
         (None, None) => {
-            ui.weak("This model is not fitted yet.");
+            let is_guess = |(material, opened): (&Material, &Opened)| {
+                opened.brdf == material.guess.with_model(opened.brdf.model)
+            };
+            ui.weak(if state.current().is_some_and(is_guess) {
+                "First guess from the data, not fitted yet."
+            } else {
+                "This model is not fitted yet."
+            });
         }
     }
 }
@@ -88,6 +96,9 @@ fn error_ui(ui: &mut egui::Ui, state: &State, kept: &KeptFit) {
 /// Facts to know of a kept fit, a line each.
 fn remarks_ui(ui: &mut egui::Ui, state: &State, kept: &KeptFit, out: &mut Vec<Msg>) {
     let mut remarks = Vec::new();
+    if kept.on_opening && !kept.is_cancelled() {
+        ui.weak("Fitted on opening.");
+    }
     if kept.is_cancelled() {
         remarks.push("Cancelled: this is the best up to then.".to_string());
     }

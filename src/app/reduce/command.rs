@@ -97,6 +97,9 @@ pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
         Command::ToggleFromSliders => {
             state.fit.settings.from_sliders = !state.fit.settings.from_sliders;
         }
+        Command::ToggleFitOnOpening => {
+            state.prefs.fit_on_opening.0 = !state.prefs.fit_on_opening.0;
+        }
         Command::UseWeight(weight) => {
             let settings = FitSettings {
                 weight,

@@ -2,12 +2,12 @@
 
 use crate::app::msg::Task;
 use crate::app::msg::fit::{FitMsg, FitTask, RefitAmplitudes, Timed};
-use crate::app::reduce::{edit, edit_brdf, notify};
+use crate::app::reduce::{edit, edit_brdf, notify, opening_fit};
 use crate::app::state::State;
 use crate::app::state::fitting::kept::KeptFit;
 use crate::app::state::fitting::run::{FitRun, Part};
 use crate::app::state::job::CancelFlag;
-use crate::app::state::material::{MaterialId, Opened};
+use crate::app::state::material::{Material, MaterialId, Opened};
 use crate::app::state::notice::Severity;
 use crate::app::state::views::ViewId;
 use crate::brdf::{Brdf, Fresnel};
@@ -35,6 +35,8 @@ pub(crate) fn apply(state: &mut State, msg: FitMsg) -> Vec<Task> {
             };
             match result {
                 Ok(outcomes) => end(state, run, outcomes),
+                // Nobody has asked for it: the panel says that there is none.
+                Err(_) if run.on_opening.is_some() => {}
                 Err(reason) => notify(state, Severity::Error, reason),
             }
         }
@@ -95,6 +97,40 @@ pub(crate) fn start(state: &mut State, all: bool) -> Vec<Task> {
     } else {
         vec![Variant::from(&opened.brdf)]
     };
+    let (run, task) = run_of(state, job, (material, opened), variants);
+    state.fit.run = Some(run);
+    if all {
+        state.tiles.show(ViewId::Fits);
+    }
+    vec![task]
+}
+
+/// Starts to fit a material that was just opened, shown or not, unless there is nothing to fit.
+pub(crate) fn start_on_opening(state: &mut State, id: MaterialId) -> Vec<Task> {
+    let job = state.fresh_id();
+    let opened = state.scene.opened.iter().find(|opened| opened.id == id);
+    let Some((material, opened)) = state.materials.get(&id).zip(opened) else {
+        return Vec::new();
+    };
+    let guess = opened.brdf;
+    if state.fit.settings.blocked(&guess).is_some() {
+        return Vec::new();
+    }
+    let (run, task) = run_of(state, job, (material, opened), vec![Variant::from(&guess)]);
+    state.fit.run = Some(FitRun {
+        on_opening: Some(guess),
+        ..run
+    });
+    vec![task]
+}
+
+/// A fit of a material with the settings of the panel, and the task that does it.
+fn run_of(
+    state: &State,
+    job: u64,
+    (material, opened): (&Material, &Opened),
+    variants: Vec<Variant>,
+) -> (FitRun, Task) {
     let part = |variant: &Variant| Part {
         variant: *variant,
         updates: Vec::new(),
@@ -108,21 +144,18 @@ pub(crate) fn start(state: &mut State, all: bool) -> Vec<Task> {
         cancel: CancelFlag::default(),
         stopping: false,
         live: None,
+        on_opening: None,
         left: None,
     };
-    let tasks = vec![Task::Fit(FitTask {
+    let task = Task::Fit(FitTask {
         job,
         material: opened.id,
         table: material.table.clone(),
         variants,
         setup: run.setup,
         cancel: run.cancel.clone(),
-    })];
-    if all {
-        state.tiles.show(ViewId::Fits);
-    }
-    state.fit.run = Some(run);
-    tasks
+    });
+    (run, task)
 }
 
 /// Stops the run. The best so far is the model from now on, though the thread may need a moment to end.
@@ -134,7 +167,16 @@ pub(crate) fn stop(state: &mut State) {
     run.stopping = true;
     run.left = run.live.take();
     if let Some(best) = run.left {
-        set_model(state, best.id, best.brdf);
+        let guess = run.on_opening;
+        come_to(state, best.id, best.brdf, guess);
+    }
+}
+
+/// Gives a material the model that a fit has come to: as a step, or as part of its opening.
+fn come_to(state: &mut State, material: MaterialId, best: Brdf, guess: Option<Brdf>) {
+    match guess {
+        Some(guess) => opening_fit::put(state, material, guess, best),
+        None => set_model(state, material, best),
     }
 }
 
@@ -221,6 +263,7 @@ fn end(state: &mut State, run: FitRun, outcomes: Vec<Timed>) {
         parts,
         setup,
         stopping,
+        on_opening,
         left,
         ..
     } = run;
@@ -229,7 +272,7 @@ fn end(state: &mut State, run: FitRun, outcomes: Vec<Timed>) {
     for (timed, part) in outcomes.into_iter().zip(parts) {
         let brdf = timed.outcome.brdf;
         if drives {
-            set_model(state, material, brdf);
+            come_to(state, material, brdf, on_opening);
         } else if let Some(left) = left {
             // The outcome may be a little past the last word that was heard.
             let scene = &mut state.scene;
@@ -244,6 +287,7 @@ fn end(state: &mut State, run: FitRun, outcomes: Vec<Timed>) {
                 setup,
                 seconds: Some(timed.seconds),
                 trace: part.updates,
+                on_opening: on_opening.is_some(),
                 overlaid: false,
             };
             keep_fit(state, material, fit);

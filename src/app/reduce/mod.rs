@@ -12,6 +12,7 @@ pub mod listing;
 pub mod memory;
 pub mod open_session;
 pub mod opening;
+pub mod opening_fit;
 pub mod session;
 pub mod show;
 
@@ -26,9 +27,11 @@ use crate::brdf::{Brdf, ParamId, Params};
 use crate::files::session::has_ending;
 use crate::geom::color::luminance;
 
-/// Changes the state. Whatever happened, what is shown stays in memory and the rest within its limit.
+/// Changes the state. Whatever happened, what was opened is fitted in its turn, what is shown stays in memory, and the
+/// rest within its limit.
 pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
     let mut tasks = change(state, msg);
+    tasks.extend(opening_fit::next(state));
     tasks.extend(memory::keep(state));
     tasks
 }
@@ -173,6 +176,10 @@ pub(crate) fn edit(state: &mut State, change: impl FnOnce(&mut Scene)) {
 /// Changes the shown model. A fit that moves it is stopped: its best so far is what is changed.
 pub(crate) fn edit_brdf(state: &mut State, change: impl FnOnce(&mut Brdf)) {
     fit::release_model(state);
+    // A person has laid a model over it: that is what is to be seen.
+    if let Some(id) = state.current().map(|(_, opened)| opened.id) {
+        opening_fit::set_due(state, id, false);
+    }
     edit(state, |scene| {
         if let Some(opened) = scene.opened.get_mut(scene.selected) {
             change(&mut opened.brdf);

@@ -116,6 +116,7 @@ fn add(state: &mut State, path: &Path, saved: &SavedMaterial, place: FilePlace) 
         (None, None, _) => (Origin::File(path.to_owned()), Presence::Loaded),
     };
     let material = Material {
+        fit_due: false,
         name: saved.name.clone(),
         origin,
         source,

@@ -69,6 +69,7 @@ pub(crate) fn add_material_at(
     replaced: Option<MaterialId>,
 ) -> MaterialId {
     let brdf = loaded.brdf();
+    let measured = loaded.table.valid_count() > 0;
     let id = MaterialId(state.fresh_id());
     state.materials.insert(
         id,
@@ -80,6 +81,7 @@ pub(crate) fn add_material_at(
             presence: Presence::Loaded,
             last_shown: 0,
             guess: loaded.guess,
+            fit_due: loaded.fits.is_none() && measured,
             fits: Vec::new(),
         },
     );

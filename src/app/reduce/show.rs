@@ -4,6 +4,7 @@ use crate::app::msg::{Loaded, Task};
 use crate::app::reduce::opening::{add_material, add_material_at, load, load_with};
 use crate::app::reduce::{edit, fit_files, memory, notify};
 use crate::app::state::State;
+use crate::app::state::fitting::run::FitRun;
 use crate::app::state::job::Purpose;
 use crate::app::state::library::{FileKind, Pending, PendingTarget, Preview};
 use crate::app::state::material::{MaterialId, Origin, Presence};
@@ -191,7 +192,8 @@ fn preview(state: &mut State, origin: Origin, loaded: Loaded, pending: &Pending)
 /// The preview, unless a person has done something with it.
 fn replaceable(state: &State) -> Option<MaterialId> {
     let preview = state.library.preview?;
-    let fitted = state.fit.run.as_ref().map(|run| run.material) == Some(preview.id);
+    let by_a_person = |run: &&FitRun| run.material == preview.id && run.on_opening.is_none();
+    let fitted = state.fit.run.as_ref().filter(by_a_person).is_some();
     let untouched = state
         .scene
         .opened

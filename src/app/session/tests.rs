@@ -91,6 +91,7 @@ fn kept(brdf: Brdf, error: f64) -> KeptFit {
         setup,
         seconds: Some(1.75),
         trace: Vec::new(),
+        on_opening: false,
         overlaid: true,
     }
 }
@@ -98,6 +99,7 @@ fn kept(brdf: Brdf, error: f64) -> KeptFit {
 fn add(state: &mut State, name: &str, origin: Origin, source: Option<SourceFile>, brdf: Brdf) {
     let id = MaterialId(state.fresh_id());
     let material = Material {
+        fit_due: false,
         name: name.into(),
         origin,
         source,

@@ -70,6 +70,11 @@ impl<T: Clone + PartialEq> History<T> {
         !self.future.is_empty()
     }
 
+    /// All states that can be reached by undo and redo, for what changes the past too.
+    pub fn states_mut(&mut self) -> impl Iterator<Item = &mut T> {
+        self.past.iter_mut().chain(&mut self.future)
+    }
+
     /// All states that can be reached by undo and redo.
     pub fn states(&self) -> impl Iterator<Item = &T> {
         self.past.iter().chain(&self.future)

@@ -39,6 +39,8 @@ pub struct Material {
     pub last_shown: u64,
     /// The first guess of a model over it, made when it was loaded.
     pub guess: Brdf,
+    /// Whether it has been opened and is yet to be fitted.
+    pub fit_due: bool,
     /// Kept fits, at most one per variant.
     pub fits: Vec<KeptFit>,
 }

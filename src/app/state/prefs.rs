@@ -27,6 +27,18 @@ pub struct Prefs {
     pub panels: SidePanels,
     /// Size of everything in the window.
     pub zoom: Zoom,
+    /// Whether a material is fitted when it is opened.
+    pub fit_on_opening: FitOnOpening,
+}
+
+/// Whether a material is fitted when it is opened.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct FitOnOpening(pub bool);
+
+impl Default for FitOnOpening {
+    fn default() -> Self {
+        Self(true)
+    }
 }
 
 /// Size of everything in the window, in percent of what the system asks for.

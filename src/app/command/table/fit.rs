@@ -54,6 +54,12 @@ pub(super) const ROWS: &[Row] = &[
         "Begin the fit at the present s, α and η instead of at what the data say",
     ),
     one(
+        Command::ToggleFitOnOpening,
+        "Fit on opening",
+        None,
+        "Fit a material when it is opened, unless its models come from a file",
+    ),
+    one(
         Command::ToggleKeepOptimal,
         "Keep ρd, ks optimal",
         ctrl(Key::K),

@@ -19,6 +19,8 @@ pub struct KeptFit {
     pub seconds: Option<f64>,
     /// All that it said while it ran; may be empty.
     pub trace: Vec<FitProgress>,
+    /// Whether it was made when its material was opened.
+    pub on_opening: bool,
     /// Whether its lobes are drawn beside the model's.
     pub overlaid: bool,
 }
@@ -80,6 +82,7 @@ impl From<&FitRecord> for KeptFit {
             },
             seconds: None,
             trace: Vec::new(),
+            on_opening: false,
             overlaid: false,
         }
     }

@@ -3,6 +3,7 @@
 use crate::app::state::fitting::settings::Setup;
 use crate::app::state::job::CancelFlag;
 use crate::app::state::material::{MaterialId, Opened};
+use crate::brdf::Brdf;
 use crate::fit::{FitProgress, Stage, Variant};
 
 /// A fit under way: of one variant, or of several.
@@ -24,6 +25,8 @@ pub struct FitRun {
     pub stopping: bool,
     /// The best so far, shown in place of the scene's model. None for several variants, and none once it is stopped.
     pub live: Option<Opened>,
+    /// The first guess that it began from, where it is part of the opening of its material.
+    pub on_opening: Option<Brdf>,
     /// Model that `live` was when the run was stopped.
     pub left: Option<Opened>,
 }
