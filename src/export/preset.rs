@@ -42,11 +42,12 @@ pub struct Preset {
 pub static PRESETS: [Preset; 11] = [
     Preset {
         key: "poster",
-        help: "Each material measured and as all three models: spheres under a glancing and a grazing light, with polar lobes below",
+        help: "Each material measured and as all three models: spheres under a glancing and a grazing light, and below them the lobes at each angle of incidence over each other",
         all_models: true,
         by_material: false,
         width_mm: COLUMNS[1].1,
-        same_axes: SameAxes::Row,
+        // One angle's peak would make blobs of the others.
+        same_axes: SameAxes::Panel,
         rows: |b| b.poster(),
     },
     Preset {

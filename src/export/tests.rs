@@ -5,6 +5,7 @@ use super::{
 };
 use crate::brdf::{Brdf, COMBINED, Fresnel, Params};
 use crate::figure::ViewSpec;
+use crate::figure::lobes::LobeScale;
 use crate::figure::page::Style;
 use crate::figure::scale::RadialScale;
 use crate::figure::sphere_image::SphereShow;
@@ -139,7 +140,7 @@ fn a_scale_that_is_asked_for_is_that_of_all_lobes() {
         let ViewSpec::Lobes(lobes) = &panel.view else {
             panic!("{panel:?}");
         };
-        assert_eq!(lobes.scale, RadialScale::Log);
+        assert_eq!(lobes.scale, LobeScale::Log);
         assert_eq!(lobes.theta_i, [0.5, 1.0]);
     }
 }

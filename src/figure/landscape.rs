@@ -21,7 +21,7 @@ pub struct LandscapeSpec {
     pub path: Vec<[f64; 2]>,
     /// (s, α) at which the sliders stand.
     pub here: Option<[f64; 2]>,
-    /// The best node and its E in percent; measured on all cells.
+    /// (s, α) of the best model and its E in percent, on all cells.
     pub best: Option<([f64; 2], f64)>,
 }
 

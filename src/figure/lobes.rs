@@ -2,6 +2,7 @@
 //!
 //! The light comes from the left: wi is at −θi, the mirror direction at +θi. θo is signed, positive to the right.
 
+mod axis;
 mod backdrop;
 mod draw;
 mod frame;
@@ -11,12 +12,11 @@ mod spec;
 mod traces;
 
 pub use frame::LobeFrame;
-pub use spec::LobeSpec;
+pub use spec::{LOBE_SCALES, LobeScale, LobeSpec};
 pub use traces::Trace;
 
 use super::drawing::Drawing;
 use super::legend::LegendEntry;
-use super::scale::{Axis, nice_limit};
 use super::subject::Subject;
 
 /// A lobe plot: the picture, where things are in it, and the numbers behind it.
@@ -36,8 +36,8 @@ impl LobePlot {
     /// Plots the subjects that are not hidden into `size` points.
     pub fn new(spec: &LobeSpec, subjects: &[Subject], size: [f32; 2]) -> Self {
         let traces = traces::trace_all(spec, subjects);
-        let axis = axis_for(spec, &traces);
-        let plan = layout::LobeLayout::new(spec, subjects, size);
+        let axis = axis::axis_for(spec, subjects, &traces);
+        let plan = layout::LobeLayout::new(spec, axis.scale, subjects, size);
         let frame = LobeFrame {
             origin: plan.origin,
             radius: plan.radius,
@@ -52,17 +52,6 @@ impl LobePlot {
             legend,
         }
     }
-}
-
-/// One axis for all curves, from what is drawn or as the spec says.
-fn axis_for(spec: &LobeSpec, traces: &[Trace]) -> Axis {
-    let values = || traces.iter().flat_map(Trace::values);
-    if let Some([low, high]) = spec.limits {
-        return Axis::between(spec.scale, low, high);
-    }
-    let limit = nice_limit(values().fold(0.0, f64::max));
-    let smallest = values().filter(|x| *x > 0.0).min_by(f64::total_cmp);
-    Axis::new(spec.scale, limit, smallest)
 }
 
 #[cfg(test)]

@@ -11,8 +11,8 @@ use super::table::DataTable;
 /// Settings that must agree for the axes of two panels of one kind of view to have the same ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SharedAxis {
-    /// Law from values to lengths or colours.
-    pub scale: RadialScale,
+    /// Law from values to lengths or colours; `None` where the data choose it.
+    pub scale: Option<RadialScale>,
     /// Cosines that f_r is multiplied by.
     pub cosine: CosineFactor,
     /// Channel of the values.
@@ -34,10 +34,8 @@ pub trait PanelView {
         None
     }
 
-    /// The ends of its axis of values; `None` where it has no axis to set.
-    fn limits_mut(&mut self) -> Option<&mut Option<[f64; 2]>> {
-        None
-    }
+    /// Takes an axis that is shared with other panels; one whose ends are set keeps them.
+    fn share_axis(&mut self, _axis: Axis) {}
 
     /// Draws the panel in the size of `input`.
     fn draw(&self, input: &PanelInput) -> PanelDrawing;

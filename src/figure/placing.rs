@@ -11,13 +11,18 @@ pub(super) struct Placing {
 impl Placing {
     /// Draws a label where it stays inside the drawing and meets no earlier one; says whether it did.
     pub fn try_place(&mut self, drawing: &mut Drawing, label: Label) -> bool {
-        let bounds = label.bounds();
-        let [min, max] = bounds;
+        self.try_place_apart(drawing, label, 0.0)
+    }
+
+    /// Draws a label as [`Self::try_place`] does, with a gap at either side of it.
+    pub fn try_place_apart(&mut self, drawing: &mut Drawing, label: Label, gap: f32) -> bool {
+        let [min, max] = label.bounds();
         let inside = min[0] >= 0.0
             && min[1] >= 0.0
             && max[0] <= drawing.size[0]
             && max[1] <= drawing.size[1];
-        if !inside || self.taken.iter().any(|other| meet(other, &bounds)) {
+        let wide = [[min[0] - gap, min[1]], [max[0] + gap, max[1]]];
+        if !inside || self.taken.iter().any(|other| meet(other, &wide)) {
             return false;
         }
         self.place(drawing, label);

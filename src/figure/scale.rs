@@ -126,6 +126,27 @@ impl Axis {
         }
     }
 
+    /// The axis that holds both: where their laws differ, by the one that shows more decades.
+    pub fn around(self, other: Self) -> Self {
+        let decades = |axis: &Self| axis.scale as usize;
+        let (wide, narrow) = if decades(&other) > decades(&self) {
+            (other, self)
+        } else {
+            (self, other)
+        };
+        // The floor of a linear axis says nothing of how deep a logarithm has to go.
+        let floor = if wide.scale == narrow.scale {
+            wide.floor.min(narrow.floor)
+        } else {
+            wide.floor
+        };
+        Self {
+            scale: wide.scale,
+            floor,
+            limit: wide.limit.max(narrow.limit),
+        }
+    }
+
     /// Lengths in proportion to this are evenly spread; −∞ for what a logarithm has no number for.
     fn bent(&self, value: f64) -> f64 {
         match self.scale {

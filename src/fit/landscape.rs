@@ -1,14 +1,16 @@
 //! Error landscape: E of the combined model over (s, α), with ρ_d and k_s solved at each point.
 //!
 //! α = 0 is Phong with exponent s and α = 1 Blinn-Phong with 4 s, so that the edges are these models' own. E is
-//! estimated on a sample of the cells, coarse to fine; the best point is measured on all of them.
+//! estimated on a sample of the cells, coarse to fine; the best point is refined and measured on all of them.
 
 use super::lobe_kernel::{LobeShape, SearchPoint};
 use super::objective::{AmplitudeRule, Candidate, Objective, SearchSpace};
 use super::options::{FitOptions, Variant};
 use super::problem::Problem;
+use super::stages::{Stage, StageSet};
 use super::symmetric_cells::SymmetricCells;
 use super::threads::Threads;
+use super::variants::fit;
 use crate::brdf::{Brdf, Fresnel, MODELS, Model, PHONG, ParamId, Params, params};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
@@ -47,7 +49,7 @@ pub struct Landscape {
     pub alpha: Vec<f64>,
     /// Nodes: that of the exponent i and the blend j is at i + `s.len()` · j.
     pub nodes: Vec<Node>,
-    /// The best node with its ρ_d and k_s solved on all cells, and its E there; `None` while finer grids are to come.
+    /// The best model, at a node or between nodes, and its E on all cells; `None` while finer grids are to come.
     pub best: Option<(Brdf, f64)>,
 }
 
@@ -124,8 +126,15 @@ pub fn landscape(
         before = Some(grid);
     }
     let mut finest = before?;
-    let best = problem.with_best_amplitudes(&finest.lowest()?.brdf);
-    finest.best = Some((best, problem.errors(&best).total));
+    let lowest = finest.lowest()?.brdf;
+    let candidates = [
+        problem.with_best_amplitudes(&lowest),
+        survey.refined(problem, &lowest),
+    ];
+    finest.best = candidates
+        .map(|brdf| (brdf, problem.errors(&brdf).total))
+        .into_iter()
+        .min_by(|a, b| a.1.total_cmp(&b.1));
     Some(finest)
 }
 
@@ -149,6 +158,25 @@ impl Survey<'_> {
             nodes: Vec::new(),
             best: None,
         }
+    }
+
+    /// The best model between the nodes, by a fit on all cells that begins at the lowest one: nodes are four a decade of s,
+    /// and E there is an estimate.
+    fn refined(&self, problem: &Problem, lowest: &Brdf) -> Brdf {
+        let mut options = FitOptions {
+            stages: StageSet::from_iter([Stage::Joint]),
+            ..FitOptions::default()
+        };
+        options.start.set(ParamId::S, &lowest.params);
+        options.start.set(ParamId::Alpha, &lowest.params);
+        match self.eta {
+            Eta::Fixed(_) => options.held.set(ParamId::Eta, &lowest.params),
+            Eta::Optimised => options.start.set(ParamId::Eta, &lowest.params),
+        }
+        fit(problem, self.space.variant, &options, &mut |_| {
+            ControlFlow::Continue(())
+        })
+        .brdf
     }
 
     fn node(&self, s: f64, alpha: f64) -> Node {

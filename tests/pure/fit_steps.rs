@@ -10,7 +10,7 @@ use grazing::app::state::fitting::settings::FitSettings;
 use grazing::app::state::material::{MaterialId, Origin};
 use grazing::app::views::lobes::settings::LobeSettings;
 use grazing::brdf::{Brdf, Fresnel, ParamId};
-use grazing::figure::scale::RadialScale;
+use grazing::figure::lobes::LobeScale;
 use grazing::fit::{
     EndReason, Errors, FitProgress, Outcome, ProblemError, Stage, StageSet, Variant, Weight,
 };
@@ -124,7 +124,7 @@ fn a_fit_is_one_step_whatever_is_edited_meanwhile() {
         say(&mut state, job, 0, brdf);
         assert_eq!(shown(&state).params.s, s, "the model follows");
     }
-    run(&mut state, Command::UseScale(RadialScale::Log));
+    run(&mut state, Command::UseScale(LobeScale::Log));
     apply(&mut state, Msg::Settle);
     let best = with_s(&state, 9.0);
     done(
@@ -139,12 +139,12 @@ fn a_fit_is_one_step_whatever_is_edited_meanwhile() {
     assert_eq!(shown(&state), before);
     assert_eq!(
         state.scene.views.get::<LobeSettings>().scale,
-        RadialScale::Log
+        LobeScale::Log
     );
     run(&mut state, Command::Undo);
     assert_eq!(
         state.scene.views.get::<LobeSettings>().scale,
-        RadialScale::CubeRoot
+        LobeScale::Auto
     );
     assert!(!state.history.can_undo());
     assert_eq!(fits(&state), 1, "a fit is kept whatever the sliders show");

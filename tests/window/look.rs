@@ -124,7 +124,7 @@ fn two_spheres_and_logarithmic_lobes() {
     run(&mut window, Command::UseShow(Show::SideBySide));
     run(
         &mut window,
-        Command::UseScale(grazing::figure::scale::RadialScale::Log),
+        Command::UseScale(grazing::figure::lobes::LobeScale::Log),
     );
     check(&mut window, "side_by_side_log");
 }

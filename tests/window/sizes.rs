@@ -11,7 +11,7 @@ use grazing::app::state::prefs::Theme;
 use grazing::app::state::side_panels::Side;
 use grazing::app::views::lobes::settings::LobeSettings;
 use grazing::app::views::sphere::settings::{Show, SphereSettings};
-use grazing::figure::scale::RadialScale;
+use grazing::figure::lobes::LobeScale;
 
 fn resized(size: [f32; 2]) -> Window {
     let mut window = window(vec![], vec![]);
@@ -172,7 +172,7 @@ fn a_toolbar_is_one_row_and_the_rest_is_in_its_menu() {
     press(&mut window, Modifiers::NONE, Key::Escape);
     assert!(!channel(&window));
     // What is in the row of a wide window is no longer in a menu.
-    resize(&mut window, [1280.0, 800.0]);
+    resize(&mut window, [1700.0, 800.0]);
     assert!(channel(&window));
     assert!(window.query_by_label("More controls").is_none());
 }
@@ -195,7 +195,7 @@ fn more(window: &mut Window, under: Rect) {
 fn no_toolbar_is_wider_than_its_tile() {
     let mut window = resized([1500.0, 900.0]);
     send(&mut window, Msg::SetLayout(Tiles::side_by_side()));
-    run(&mut window, Command::UseScale(RadialScale::Log));
+    run(&mut window, Command::UseScale(LobeScale::Log));
     run(&mut window, Command::UseShow(Show::Split));
     assert_eq!(settings::<SphereSettings>(&window).show, Show::Split);
     window.run_steps(4);

@@ -9,6 +9,7 @@ use grazing::app::state::subject_key::What;
 use grazing::app::state::views::ViewId;
 use grazing::app::views::lobes::settings::LobeSettings;
 use grazing::app::views::sphere::settings::SphereSettings;
+use grazing::figure::lobes::LobeScale;
 
 #[test]
 #[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
@@ -129,6 +130,7 @@ fn tiles_close_and_come_back() {
 #[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn the_wheel_zooms_the_lobes_and_a_double_click_puts_them_back() {
     let mut window = window(vec![], vec![]);
+    run(&mut window, Command::UseScale(LobeScale::CubeRoot));
     let rect = window
         .get_by_role_and_label(Role::Image, "Polar lobes")
         .rect();

@@ -145,6 +145,7 @@ impl Command {
                 (preset.lights)() == scene.views.get::<SphereSettings>().view.lights
             }),
             Self::UseScale(scale) => scene.views.get::<LobeSettings>().scale == scale,
+            Self::ToggleShapeOnly => scene.views.get::<LobeSettings>().shape_only,
             Self::ToggleCosine => scene.views.get::<LobeSettings>().cosine.theta_i,
             Self::ToggleCosineO => scene.views.get::<LobeSettings>().cosine.theta_o,
             Self::ToggleRaw => scene.lookup == Lookup::Nearest,

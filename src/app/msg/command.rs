@@ -5,7 +5,7 @@ use crate::app::state::side_panels::Side;
 use crate::app::state::views::ViewId;
 use crate::app::views::sphere::settings::Show;
 use crate::brdf::fresnel::Fresnel;
-use crate::figure::scale::RadialScale;
+use crate::figure::lobes::LobeScale;
 use crate::files::ModelFormat;
 use crate::fit::Weight;
 
@@ -54,9 +54,10 @@ pub enum Command {
     PreviousMaterial,
     UseShow(Show),
     UseLights(usize),
-    UseScale(RadialScale),
+    UseScale(LobeScale),
     ToggleCosine,
     ToggleCosineO,
+    ToggleShapeOnly,
     ToggleRaw,
     UseTheme(Theme),
     ZoomIn,

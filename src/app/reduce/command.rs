@@ -129,6 +129,12 @@ pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
         Command::UseScale(scale) => edit(state, |scene| {
             scene.views.get_mut::<LobeSettings>().scale = scale;
         }),
+        Command::ToggleShapeOnly => edit(state, |scene| {
+            let lobes = scene.views.get_mut::<LobeSettings>();
+            lobes.shape_only = !lobes.shape_only;
+            // Shares and values have other ends.
+            lobes.limits = None;
+        }),
         Command::ToggleCosine => edit(state, |scene| {
             let cosine = &mut scene.views.get_mut::<LobeSettings>().cosine;
             cosine.theta_i = !cosine.theta_i;

@@ -100,7 +100,7 @@ fn perform_one(state: &mut State, set: Set) -> Vec<Task> {
             lobes.active = active;
         }),
         Set::Scale(scale) => edit(state, |scene| {
-            scene.views.get_mut::<LobeSettings>().scale = scale;
+            scene.views.get_mut::<LobeSettings>().scale = scale.into();
         }),
         Set::Lights(index) => edit(state, |scene| {
             if let Some(preset) = LIGHT_PRESETS.get(index) {

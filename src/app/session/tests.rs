@@ -23,6 +23,7 @@ use crate::app::views::slices::settings::SliceSettings;
 use crate::app::views::sphere::settings::{Show, SphereSettings};
 use crate::brdf::{Brdf, Fresnel, MODELS, Params};
 use crate::figure::error_map::Plane;
+use crate::figure::lobes::LobeScale;
 use crate::figure::scale::RadialScale;
 use crate::figure::shown::Shown;
 use crate::figure::slices::{Over, Residual};
@@ -180,7 +181,7 @@ fn rich() -> State {
     scene.views.get_mut::<SphereSettings>().split = 0.3;
     scene.views.get_mut::<LobeSettings>().theta_i = [5.5, 88.0].map(f64::to_radians).to_vec();
     scene.views.get_mut::<LobeSettings>().active = 0;
-    scene.views.get_mut::<LobeSettings>().scale = RadialScale::Log;
+    scene.views.get_mut::<LobeSettings>().scale = LobeScale::Log;
     scene.views.get_mut::<LobeSettings>().cosine = CosineFactor::BOTH;
     scene.views.get_mut::<LobeSettings>().channel = Channel::B;
     let spec = &mut scene.views.get_mut::<SliceSettings>().spec;

@@ -1,12 +1,10 @@
 //! The rows of a preset's page, from materials and options.
 
 use super::{Preset, PresetMaterial, PresetOptions};
-use crate::brdf::Brdf;
 use crate::export::spec::{SubjectLook, SubjectSource, SubjectSpec};
 use crate::figure::ViewSpec;
-use crate::figure::lobes::LobeSpec;
+use crate::figure::lobes::{LobeScale, LobeSpec};
 use crate::figure::page::{PanelSpec, RowSpec};
-use crate::figure::scale::RadialScale;
 use crate::figure::scatter::ScatterSpec;
 use crate::figure::shown::Shown;
 use crate::figure::sphere_image::{SphereShow, SphereSpec};
@@ -92,12 +90,13 @@ impl Builder<'_> {
         LobeSpec {
             theta_i: self.options.theta_i.clone(),
             active: 0,
-            scale: self.options.scale.unwrap_or(RadialScale::CubeRoot),
+            scale: self.options.scale.map_or(LobeScale::Auto, LobeScale::from),
             ..LobeSpec::default()
         }
     }
 
-    /// Rows of the poster: what was measured and the models beside each other, spheres over lobes.
+    /// Rows of the poster: what was measured and the models beside each other on spheres, and below them over each other as
+    /// lobes, a plot for each angle of incidence.
     pub fn poster(&self) -> Vec<RowSpec> {
         let mut rows = Vec::new();
         for (index, material) in self.materials.iter().enumerate() {
@@ -111,19 +110,21 @@ impl Builder<'_> {
                     ..SphereSpec::default()
                 }),
             };
-            let lobes = |subjects: Vec<usize>| PanelSpec {
-                heading: None,
-                subjects,
-                view: ViewSpec::Lobes(self.lobes()),
+            let lobes = |theta_i: &f64| PanelSpec {
+                heading: (index == 0).then(|| {
+                    let degrees = (10.0 * theta_i.to_degrees()).round() / 10.0;
+                    format!("Light at {degrees}°")
+                }),
+                subjects: (data..=data + material.models.len()).collect(),
+                view: ViewSpec::Lobes(LobeSpec {
+                    theta_i: vec![*theta_i],
+                    ..self.lobes()
+                }),
             };
-            let models = material.models.iter().enumerate();
-            let models: Vec<(usize, &Brdf)> =
-                models.map(|(k, brdf)| (data + 1 + k, brdf)).collect();
+            let plots = self.options.theta_i.iter().map(lobes).collect();
             let mut spheres = vec![sphere(SphereShow::Measured, data, "Measured")];
-            let mut plots = vec![lobes(vec![data])];
-            for (at, brdf) in models {
-                spheres.push(sphere(SphereShow::Model, at, brdf.model.name));
-                plots.push(lobes(vec![data, at]));
+            for (k, brdf) in material.models.iter().enumerate() {
+                spheres.push(sphere(SphereShow::Model, data + 1 + k, brdf.model.name));
             }
             rows.push(RowSpec {
                 name: Some(material.name.clone()),

@@ -3,7 +3,7 @@
 use super::{AlbedoCurve, AlbedoPlot, AlbedoPoint, AlbedoSpec, curve};
 use crate::figure::cosine::CosineFactor;
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
-use crate::figure::scale::RadialScale;
+use crate::figure::scale::{Axis, RadialScale};
 use crate::figure::subject::{Channel, Subject};
 use crate::figure::table::{DataTable, kind};
 use crate::geom::degrees::rounded;
@@ -20,14 +20,14 @@ impl PanelView for AlbedoSpec {
 
     fn shared_axis(&self) -> Option<SharedAxis> {
         Some(SharedAxis {
-            scale: RadialScale::Linear,
+            scale: Some(RadialScale::Linear),
             cosine: CosineFactor::NONE,
             channel: self.channel,
         })
     }
 
-    fn limits_mut(&mut self) -> Option<&mut Option<[f64; 2]>> {
-        Some(&mut self.limits)
+    fn share_axis(&mut self, axis: Axis) {
+        self.limits.get_or_insert([axis.floor, axis.limit]);
     }
 
     fn draw(&self, input: &PanelInput) -> PanelDrawing {

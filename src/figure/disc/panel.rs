@@ -2,6 +2,7 @@
 
 use super::{DiscField, DiscPlot, DiscSpec};
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
+use crate::figure::scale::Axis;
 use crate::figure::subject::Source;
 use crate::figure::table::DataTable;
 use crate::geom::direction;
@@ -18,14 +19,14 @@ impl PanelView for DiscSpec {
 
     fn shared_axis(&self) -> Option<SharedAxis> {
         self.shown.is_amount().then_some(SharedAxis {
-            scale: self.scale,
+            scale: Some(self.scale),
             cosine: self.cosine,
             channel: self.channel,
         })
     }
 
-    fn limits_mut(&mut self) -> Option<&mut Option<[f64; 2]>> {
-        Some(&mut self.limits)
+    fn share_axis(&mut self, axis: Axis) {
+        self.limits.get_or_insert([axis.floor, axis.limit]);
     }
 
     fn draw(&self, input: &PanelInput) -> PanelDrawing {

@@ -223,7 +223,11 @@ pub(super) fn ring_labels(canvas: &mut LobeCanvas) {
             [x, frame.origin[1]],
             [x, frame.origin[1] + 0.3 * canvas.font],
         ];
-        if canvas.placing.try_place(&mut canvas.drawing, label) {
+        let gap = 0.25 * canvas.font;
+        if canvas
+            .placing
+            .try_place_apart(&mut canvas.drawing, label, gap)
+        {
             canvas.drawing.line(mark, 1.0, Role::Muted.into());
         }
     }

@@ -8,6 +8,7 @@ use crate::figure::legend::{self, LegendEntry};
 use crate::figure::mark::{ProbeMark, probe_dot};
 use crate::figure::palette::{Ink, Role};
 use crate::figure::polyline::{self, thinned};
+use crate::figure::scale::number;
 use crate::figure::subject::Subject;
 use crate::figure::text::RichText;
 
@@ -46,7 +47,7 @@ pub(super) fn draw(
         backdrop::handles(&mut canvas, spec);
     }
     probe_dots(&mut canvas, spec, subjects, &order);
-    lobe_labels(&mut canvas, spec, traces);
+    lobe_labels(&mut canvas, spec, traces, subjects);
     if !traces.iter().any(|trace| trace.values().next().is_some()) {
         nothing(&mut canvas, subjects.is_empty());
     }
@@ -69,7 +70,8 @@ fn legend(canvas: &mut LobeCanvas, subjects: &[Subject], plan: &LobeLayout) -> V
     entries.collect()
 }
 
-/// A trace as polylines, broken where it has no value and where it leaves the rim.
+/// A trace as polylines, broken where it has no value and where it leaves the rim; an arrow where it leaves the rim
+/// stands for the peak beyond.
 fn lobe(canvas: &mut LobeCanvas, trace: &Trace, subject: &Subject, strong: bool) {
     let ink = Ink::from(Role::Series(subject.series)).faded(if strong { 1.0 } else { 0.5 });
     let width = subject.look.width() * if strong { 1.0 } else { 0.6 };
@@ -87,6 +89,28 @@ fn lobe(canvas: &mut LobeCanvas, trace: &Trace, subject: &Subject, strong: bool)
             .drawing
             .dashed_line(thinned(points), width, dash, ink);
     }
+    if let Some(theta_o) = exit(canvas.frame, trace) {
+        let reach = f64::from(0.75 * canvas.font / canvas.frame.radius);
+        let half_width = 0.55 * reach;
+        let arrow = [
+            canvas.frame.at(theta_o - half_width, 1.0 - reach),
+            canvas.frame.at(theta_o, 1.0),
+            canvas.frame.at(theta_o + half_width, 1.0 - reach),
+        ];
+        canvas.drawing.fill(arrow.to_vec(), ink);
+    }
+}
+
+/// Signed θo at which a curve leaves the rim for its peak, on the side of the normal; `None` where it stays inside.
+fn exit(frame: &LobeFrame, trace: &Trace) -> Option<f64> {
+    let beyond = |value: f64| frame.axis.position(value) > 1.0 + 1e-9;
+    let (peak_at, _) = trace.peak().filter(|(_, value)| beyond(*value))?;
+    let inside = trace.samples.iter().filter(|sample| {
+        let towards = sample.x * peak_at >= 0.0 && sample.x.abs() <= peak_at.abs();
+        towards && sample.value.is_some_and(|value| !beyond(value))
+    });
+    let last = inside.max_by(|a, b| a.x.abs().total_cmp(&b.x.abs()));
+    Some(last.map_or(peak_at, |sample| sample.x))
 }
 
 /// The pieces of a trace between gaps, inside the rim.
@@ -115,44 +139,79 @@ fn probe_dots(canvas: &mut LobeCanvas, spec: &LobeSpec, subjects: &[Subject], tr
     }
 }
 
-/// θi beside the tip of each lobe, where there is room: the active one first.
-fn lobe_labels(canvas: &mut LobeCanvas, spec: &LobeSpec, traces: &[Trace]) {
-    if spec.theta_i.len() < 2 {
-        return;
-    }
+/// θi beside each lobe, with the peak of one that is clipped: the active lobe first.
+fn lobe_labels(canvas: &mut LobeCanvas, spec: &LobeSpec, traces: &[Trace], subjects: &[Subject]) {
     let mut lobes: Vec<usize> = (0..spec.theta_i.len()).collect();
     lobes.sort_by_key(|lobe| *lobe != spec.active);
     for lobe in lobes {
-        let highest = traces
+        // The data name a lobe where there are any: they keep still while a model is moved.
+        let of_lobe = traces
             .iter()
-            .filter(|trace| trace.lobe == lobe)
-            .filter_map(Trace::peak)
-            .max_by(|a, b| a.1.total_cmp(&b.1));
-        let Some((theta_o, value)) = highest else {
+            .filter(|trace| trace.lobe == lobe && trace.peak().is_some());
+        let named = of_lobe.min_by_key(|trace| subjects[trace.subject].look);
+        let Some((trace, (theta_o, value))) = named.and_then(|trace| Some((trace, trace.peak()?)))
+        else {
             continue;
         };
         let degrees = (10.0 * spec.theta_i[lobe].to_degrees()).round() / 10.0;
-        let text = RichText::literal(&format!("{degrees}°"));
-        let position = canvas.frame.axis.position(value).min(1.0);
+        let exit = exit(canvas.frame, trace);
+        let text = match (exit.is_some(), spec.theta_i.len()) {
+            (true, 1) => format!("peak {}", two_digits(value)),
+            (true, _) => format!("{degrees}°, peak {}", two_digits(value)),
+            (false, 1) => continue,
+            (false, _) => format!("{degrees}°"),
+        };
+        let text = RichText::parse(&text);
         let role = if spec.is_strong(lobe) {
             Role::Foreground
         } else {
             Role::Muted
         };
-        let tip = canvas.frame.at(theta_o, position);
-        let gap = 0.35 * canvas.font;
-        // Beyond the tip, then beside it on either side, a little inwards.
-        for turn_deg in [0.0, 100.0, -100.0, 60.0, -60.0, 130.0, -130.0_f64] {
-            let heading = theta_o + turn_deg.to_radians();
-            let (dx, dy) = (heading.sin() as f32, -heading.cos() as f32);
-            let at = [tip[0] + gap * dx, tip[1] + gap * dy];
-            let mut label = canvas.label(text.clone(), at, Anchor::towards(-dx, -dy), role);
-            label.halo = true;
-            if canvas.inside_disc(&label) && canvas.placing.try_place(&mut canvas.drawing, label) {
+        // At the tip, or else further down on either side.
+        let tip = exit.unwrap_or(theta_o);
+        let places = [
+            0.0, 4.0, -4.0, 9.0, -9.0, 16.0, -16.0, 25.0, -25.0, 40.0, -40.0_f64,
+        ];
+        let places = places.iter().filter_map(|aside_deg| {
+            let theta_o = tip + aside_deg.to_radians();
+            let value = trace.value_at(theta_o)?;
+            Some((theta_o, canvas.frame.axis.position(value).min(1.0)))
+        });
+        let places: Vec<(f64, f64)> = places.collect();
+        for place in places {
+            if label_at(canvas, &text, place, role) {
                 break;
             }
         }
     }
+}
+
+/// Writes a lobe's name beyond a point of it, or beside that, a little inwards; whether there was room.
+fn label_at(
+    canvas: &mut LobeCanvas,
+    text: &RichText,
+    (theta_o, position): (f64, f64),
+    role: Role,
+) -> bool {
+    let tip = canvas.frame.at(theta_o, position);
+    let gap = 0.35 * canvas.font;
+    // Beyond it, then on the side of the normal, where curves are fewer, then on that of the horizon.
+    [0.0, -85.0, -110.0, -60.0, 100.0, 60.0, -135.0, 130.0_f64]
+        .into_iter()
+        .any(|turn_deg| {
+            let heading = theta_o + theta_o.signum() * turn_deg.to_radians();
+            let (dx, dy) = (heading.sin() as f32, -heading.cos() as f32);
+            let at = [tip[0] + gap * dx, tip[1] + gap * dy];
+            let mut label = canvas.label(text.clone(), at, Anchor::towards(-dx, -dy), role);
+            label.halo = true;
+            canvas.inside_disc(&label) && canvas.placing.try_place(&mut canvas.drawing, label)
+        })
+}
+
+/// A value with two digits that count, as markup.
+fn two_digits(value: f64) -> String {
+    let unit = 10f64.powi(value.abs().log10().floor() as i32 - 1);
+    number((value / unit).round() * unit)
 }
 
 /// One sentence in place of curves.

@@ -3,6 +3,7 @@
 use super::LobeSpec;
 use crate::figure::drawing::{LINE_HEIGHT, Point, font_size};
 use crate::figure::legend::{SWATCH_EM, listed};
+use crate::figure::scale::RadialScale;
 use crate::figure::subject::Subject;
 use crate::figure::text::{RichText, elided};
 
@@ -21,11 +22,16 @@ pub(super) struct LobeLayout {
 }
 
 impl LobeLayout {
-    pub(super) fn new(spec: &LobeSpec, subjects: &[Subject], [width, height]: [f32; 2]) -> Self {
+    pub(super) fn new(
+        spec: &LobeSpec,
+        scale: RadialScale,
+        subjects: &[Subject],
+        [width, height]: [f32; 2],
+    ) -> Self {
         let font = font_size([width, height]);
         let pad = 0.7 * font;
         let line = LINE_HEIGHT * font;
-        let title = title(spec, (width - 2.0 * pad) / font);
+        let title = title(spec, scale, (width - 2.0 * pad) / font);
         let named = |share: f32| -> Vec<RichText> {
             let room_em = ((share * width - 2.0 * pad) / font - SWATCH_EM).clamp(3.0, 24.0);
             listed(subjects)
@@ -116,14 +122,19 @@ impl LobeLayout {
 }
 
 /// Title: the quantity, its unit, the channel and the scale; without the lesser words where there is no room.
-fn title(spec: &LobeSpec, room_em: f32) -> RichText {
-    let what = format!("f_{{r}}{}", spec.cosine.markup());
-    let (channel, scale) = (spec.channel.name(), spec.scale.phrase());
-    let long = RichText::parse(&format!("{what} [sr^{{−1}}], {channel}, {scale} scale"));
+fn title(spec: &LobeSpec, scale: RadialScale, room_em: f32) -> RichText {
+    let mut what = format!("f_{{r}}{}", spec.cosine.markup());
+    what += if spec.shape_only {
+        " / its maximum"
+    } else {
+        " [sr^{−1}]"
+    };
+    let (channel, scale) = (spec.channel.name(), scale.phrase());
+    let long = RichText::parse(&format!("{what}, {channel}, {scale} scale"));
     if long.width_em() <= room_em {
         return long;
     }
-    RichText::parse(&format!("{what} [sr^{{−1}}], {channel}, {scale}"))
+    RichText::parse(&format!("{what}, {channel}, {scale}"))
 }
 
 /// The largest radius up to `most` that `fits`, which small ones do sooner than large ones.

@@ -2,6 +2,7 @@
 
 use super::{LobePlot, LobeSpec};
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
+use crate::figure::scale::Axis;
 use crate::figure::subject::Subject;
 use crate::figure::table::{DataTable, curve_head};
 use crate::geom::degrees::rounded;
@@ -18,14 +19,15 @@ impl PanelView for LobeSpec {
 
     fn shared_axis(&self) -> Option<SharedAxis> {
         Some(SharedAxis {
-            scale: self.scale,
+            scale: self.scale.law(),
             cosine: self.cosine,
             channel: self.channel,
         })
     }
 
-    fn limits_mut(&mut self) -> Option<&mut Option<[f64; 2]>> {
-        Some(&mut self.limits)
+    fn share_axis(&mut self, axis: Axis) {
+        self.limits.get_or_insert([axis.floor, axis.limit]);
+        self.scale = axis.scale.into();
     }
 
     fn draw(&self, input: &PanelInput) -> PanelDrawing {

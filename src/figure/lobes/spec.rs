@@ -5,8 +5,65 @@ use crate::figure::mark::ProbeMark;
 use crate::figure::scale::RadialScale;
 use crate::figure::subject::{Channel, Subject};
 use crate::geom::degrees;
+use crate::keys;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
+
+/// The law of the radius of a lobe plot.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LobeScale {
+    /// Chosen from the data, with the rim: linear for a matte material, the cube root for a glossy one, a logarithm for a
+    /// needle.
+    #[default]
+    Auto,
+    /// Length in proportion to the value.
+    Linear,
+    /// Length by the cube root of the value.
+    CubeRoot,
+    /// Length by the logarithm of the value above a floor.
+    Log,
+}
+
+/// All scales of lobes in the order offered.
+pub const LOBE_SCALES: [LobeScale; 4] = [
+    LobeScale::Auto,
+    LobeScale::Linear,
+    LobeScale::CubeRoot,
+    LobeScale::Log,
+];
+
+impl LobeScale {
+    /// Name in files and on the command line.
+    pub fn key(self) -> &'static str {
+        keys::key_at::<Self>(self as usize)
+    }
+
+    /// Name on screen.
+    pub fn name(self) -> &'static str {
+        self.law().map_or("Auto", RadialScale::name)
+    }
+
+    /// The law that it names; `None` for one that the data choose.
+    pub fn law(self) -> Option<RadialScale> {
+        match self {
+            Self::Auto => None,
+            Self::Linear => Some(RadialScale::Linear),
+            Self::CubeRoot => Some(RadialScale::CubeRoot),
+            Self::Log => Some(RadialScale::Log),
+        }
+    }
+}
+
+impl From<RadialScale> for LobeScale {
+    fn from(law: RadialScale) -> Self {
+        match law {
+            RadialScale::Linear => Self::Linear,
+            RadialScale::CubeRoot => Self::CubeRoot,
+            RadialScale::Log => Self::Log,
+        }
+    }
+}
 
 /// Settings of a lobe plot.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -18,7 +75,9 @@ pub struct LobeSpec {
     /// Position of the θi that is drawn strong, with its vectors.
     pub active: usize,
     /// Law from values to radii.
-    pub scale: RadialScale,
+    pub scale: LobeScale,
+    /// Whether each curve is drawn in shares of its own maximum: shapes to compare, not values.
+    pub shape_only: bool,
     /// Cosines that f_r is multiplied by.
     #[serde(rename = "with_cosine")]
     pub cosine: CosineFactor,
@@ -38,7 +97,8 @@ impl Default for LobeSpec {
         Self {
             theta_i: [30.0, 60.0, 80.0].map(f64::to_radians).to_vec(),
             active: 1,
-            scale: RadialScale::default(),
+            scale: LobeScale::default(),
+            shape_only: false,
             cosine: CosineFactor::NONE,
             channel: Channel::default(),
             probe: None,

@@ -5,7 +5,7 @@ use crate::figure::drawing::{Item, Point};
 use crate::figure::mark::ProbeMark;
 use crate::figure::palette::Role;
 use crate::figure::polyline::off_segment;
-use crate::figure::scale::{RADIAL_SCALES, RadialScale};
+use crate::figure::scale::{Axis, RADIAL_SCALES, RadialScale};
 use crate::figure::subject::{CHANNELS, Channel, Look, Source};
 use crate::geom::Cosines;
 use crate::geom::Rgb;
@@ -13,6 +13,8 @@ use crate::geom::limits::MAX_THETA_I;
 use glam::DVec3;
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
+
+mod filling;
 
 const SIZE: [f32; 2] = [640.0, 400.0];
 
@@ -48,7 +50,7 @@ fn worst_distance(scale: RadialScale, cosine: CosineFactor, planted_deg: f64) ->
     let spec = LobeSpec {
         theta_i: vec![theta_i],
         active: 0,
-        scale,
+        scale: scale.into(),
         cosine,
         ..LobeSpec::default()
     };
@@ -129,7 +131,7 @@ fn past_a_fixed_limit_curves_end_on_the_rim() {
         theta_i: vec![0.7],
         active: 0,
         limits: Some([0.0, 0.5]),
-        scale: RadialScale::Linear,
+        scale: LobeScale::Linear,
         ..LobeSpec::default()
     };
     let plot = LobePlot::new(&spec, &[curve(closed_form)], SIZE);
@@ -150,6 +152,7 @@ fn narrow_lobes_keep_their_peak() {
     let spec = LobeSpec {
         theta_i: vec![0.7123],
         active: 0,
+        scale: LobeScale::CubeRoot,
         ..LobeSpec::default()
     };
     let plot = LobePlot::new(&spec, &[curve(narrow)], SIZE);
@@ -213,7 +216,11 @@ fn hidden_subjects_count_for_nothing_and_keep_their_name() {
             hidden,
             ..curve(|_: DVec3, _: DVec3| Some([50.0; 3]))
         };
-        LobePlot::new(&LobeSpec::default(), &[curve(closed_form), model], SIZE)
+        let spec = LobeSpec {
+            scale: LobeScale::CubeRoot,
+            ..LobeSpec::default()
+        };
+        LobePlot::new(&spec, &[curve(closed_form), model], SIZE)
     };
     assert_eq!(plot(false).frame.axis.limit, 50.0);
     let hidden = plot(true);
@@ -294,7 +301,7 @@ fn no_text_covers_another_in_any_size() {
                 for probe in [None, Some(0.4), Some(-1.56)] {
                     let spec = LobeSpec {
                         theta_i: theta_i_deg.map(f64::to_radians).to_vec(),
-                        scale,
+                        scale: scale.into(),
                         probe: probe.map(|at| ProbeMark { at, exact: true }),
                         ..LobeSpec::default()
                     };

@@ -3,6 +3,7 @@
 use super::spec::LobeSpec;
 use crate::figure::samples::{self, Sample};
 use crate::figure::subject::Subject;
+use crate::geom::limits::UNRELIABLE_THETA;
 use std::f64::consts::FRAC_PI_2;
 
 /// One curve at one θi.
@@ -12,7 +13,7 @@ pub struct Trace {
     pub subject: usize,
     /// Position of θi in the spec.
     pub lobe: usize,
-    /// Samples by ascending signed θo, from horizon to horizon; values in 1/sr.
+    /// Samples by ascending signed θo, from horizon to horizon; values in 1/sr, or in shares of their maximum.
     pub samples: Vec<Sample>,
 }
 
@@ -44,15 +45,38 @@ pub(super) fn trace_all(spec: &LobeSpec, subjects: &[Subject]) -> Vec<Trace> {
                     x: *theta_o,
                     value: spec.value(subject, *theta_i, *theta_o),
                 });
+                let mut samples: Vec<Sample> = samples.collect();
+                if spec.shape_only {
+                    to_shares(&mut samples);
+                }
                 traces.push(Trace {
                     subject: index,
                     lobe,
-                    samples: samples.collect(),
+                    samples,
                 });
             }
         }
     }
     traces
+}
+
+/// Divides a curve by its highest value, up to 80° from the normal where it has one there.
+fn to_shares(samples: &mut [Sample]) {
+    let highest = |most: f64| {
+        let near = samples.iter().filter(|sample| sample.x.abs() <= most);
+        near.filter_map(|sample| sample.value)
+            .filter(|value| *value > 0.0)
+            .max_by(f64::total_cmp)
+    };
+    let Some(highest) = highest(UNRELIABLE_THETA).or_else(|| highest(FRAC_PI_2)) else {
+        return;
+    };
+    for value in samples
+        .iter_mut()
+        .filter_map(|sample| sample.value.as_mut())
+    {
+        *value /= highest;
+    }
 }
 
 /// Steps of θo, in degrees.

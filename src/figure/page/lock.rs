@@ -37,25 +37,17 @@ pub(super) fn lock(spec: &mut PageSpec, mut draw: impl FnMut(usize, &ViewSpec) -
             .iter()
             .filter_map(|member| draw(*member, &views[*member]).axis)
             .collect();
-        let (low, high) = axes
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), axis| {
-                (low.min(axis.floor), high.max(axis.limit))
-            });
-        if low > high {
+        let Some(axis) = axes.into_iter().reduce(Axis::around) else {
             continue;
-        }
+        };
         let mut panels = spec
             .rows
             .iter_mut()
             .flat_map(|row| &mut row.panels)
             .enumerate();
         for (index, panel) in &mut panels {
-            if members.contains(&index)
-                && let Some(limits) = panel.view.panel_mut().limits_mut()
-                && limits.is_none()
-            {
-                *limits = Some([low, high]);
+            if members.contains(&index) {
+                panel.view.panel_mut().share_axis(axis);
             }
         }
     }

@@ -1,8 +1,7 @@
 use super::{Inks, PageSpec, PanelSpec, RowSpec, SameAxes, Style, draw};
 use crate::figure::ViewSpec;
 use crate::figure::drawing::{Drawing, Item};
-use crate::figure::lobes::LobeSpec;
-use crate::figure::scale::RadialScale;
+use crate::figure::lobes::{LobeScale, LobeSpec};
 use crate::figure::sphere_image::{SphereShow, SphereSpec};
 use crate::figure::subject::{Look, Source, Subject};
 use crate::figure::table::TableField;
@@ -33,7 +32,7 @@ fn lobes(subjects: &[usize]) -> PanelSpec {
         heading: None,
         subjects: subjects.to_vec(),
         view: ViewSpec::Lobes(LobeSpec {
-            scale: RadialScale::Linear,
+            scale: LobeScale::Linear,
             ..LobeSpec::default()
         }),
     }

@@ -35,12 +35,26 @@ impl PlotCanvas {
         self.placing.place(&mut self.drawing, label);
     }
 
-    /// The name of an axis: numbers keep half a letter off its left end.
-    pub fn axis_name(&mut self, text: RichText, pos: Point, anchor: Anchor) {
-        let label = self.label(text, pos, anchor, Role::Muted);
-        let [min, max] = label.bounds();
-        let left = [min[0], 0.5 * (min[1] + max[1])];
-        self.placing.keep_free(left, 0.5 * label.size);
+    /// The name of an axis among its numbers, on their line: as far right as they leave it room, else above the right end of
+    /// the axis.
+    pub fn name_among_numbers(
+        &mut self,
+        text: &RichText,
+        [from, to]: [f32; 2],
+        [y, above]: [f32; 2],
+    ) {
+        // A name must not read as a factor of the number beside it.
+        let (gap, width) = (self.font, self.font * text.width_em());
+        let mut right = to;
+        while right - width >= from {
+            let label = self.label(text.clone(), [right, y], Anchor::RIGHT, Role::Muted);
+            if self.placing.try_place_apart(&mut self.drawing, label, gap) {
+                return;
+            }
+            right -= 0.25 * self.font;
+        }
+        let mut label = self.label(text.clone(), [to, above], Anchor::RIGHT, Role::Muted);
+        label.halo = true;
         self.placing.place(&mut self.drawing, label);
     }
 

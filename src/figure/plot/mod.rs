@@ -149,19 +149,20 @@ impl Plot {
             return;
         };
         let (left, width) = (frame.min[0], frame.size()[0]);
-        let name = RichText::parse(&self.x_name);
-        let own_line = self.plan.name_y > self.plan.numbers_y;
-        let (x, anchor) = if own_line {
-            (left + 0.5 * width, Anchor::CENTER)
-        } else {
-            (left + width, Anchor::RIGHT)
-        };
-        let at = [x, self.plan.name_y];
-        self.canvas.axis_name(name, at, anchor);
+        let bottom = frame.max[1];
         for tick in &self.plan.x_marks.major {
             let at = [left + width * tick.position as f32, self.plan.numbers_y];
             self.canvas
                 .try_text(tick.label.clone(), at, Anchor::CENTER, Role::Muted);
+        }
+        let name = RichText::parse(&self.x_name);
+        if self.plan.name_y > self.plan.numbers_y {
+            let at = [left + 0.5 * width, self.plan.name_y];
+            self.canvas.text(name, at, Anchor::CENTER, Role::Muted);
+        } else {
+            let lines = [self.plan.numbers_y, bottom - self.plan.font];
+            self.canvas
+                .name_among_numbers(&name, [left, left + width], lines);
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::{Over, Residual, SlicePlot, SliceSpec};
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
+use crate::figure::scale::Axis;
 use crate::figure::subject::Subject;
 use crate::figure::table::{DataTable, TableField, curve_head};
 use crate::geom::degrees::rounded;
@@ -20,14 +21,14 @@ impl PanelView for SliceSpec {
 
     fn shared_axis(&self) -> Option<SharedAxis> {
         Some(SharedAxis {
-            scale: self.scale,
+            scale: Some(self.scale),
             cosine: self.cosine,
             channel: self.channel,
         })
     }
 
-    fn limits_mut(&mut self) -> Option<&mut Option<[f64; 2]>> {
-        Some(&mut self.limits)
+    fn share_axis(&mut self, axis: Axis) {
+        self.limits.get_or_insert([axis.floor, axis.limit]);
     }
 
     fn draw(&self, input: &PanelInput) -> PanelDrawing {

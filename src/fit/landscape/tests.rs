@@ -1,7 +1,7 @@
 use super::*;
 use crate::brdf::{BLINN_PHONG, PHONG};
 use crate::fit::options::{NO_LIMIT, Weight};
-use crate::measured::{Grid, tabulate};
+use crate::measured::{Grid, Table, tabulate};
 
 /// Model whose s and α are a node of every grid.
 fn truth() -> Brdf {
@@ -181,4 +181,48 @@ fn a_place_between_nodes_takes_its_own_shape() {
         ..found
     };
     assert_eq!(none.error_at(1.0, 0.5), None);
+}
+
+#[test]
+fn the_best_is_never_above_a_fit_though_it_lies_between_the_nodes() {
+    let brdf = Brdf {
+        params: Params {
+            // Half way between two nodes either way.
+            s: 178.0,
+            alpha: 0.28,
+            ..truth().params
+        },
+        ..truth()
+    };
+    // Data that no model meets: two lobes.
+    let wide = Brdf {
+        params: Params {
+            s: 12.0,
+            alpha: 0.9,
+            ..brdf.params
+        },
+        ..brdf
+    };
+    let (narrow, wide) = (tabulate(&brdf, Grid::FOLDED), tabulate(&wide, Grid::FOLDED));
+    let cells = narrow.cells().iter().zip(wide.cells());
+    let both = cells.map(|(a, b)| std::array::from_fn(|k| a[k] + b[k]));
+    let both = Table::new(Grid::FOLDED, both.collect());
+    let problem = Problem::new(&both, Weight::Cosine, NO_LIMIT).expect("cells");
+    let variant = Variant::from(&brdf);
+    let fitted = fit(&problem, variant, &FitOptions::default(), &mut |_| {
+        ControlFlow::Continue(())
+    });
+    for eta in [Eta::Fixed(fitted.brdf.params.eta), Eta::Optimised] {
+        let found = made(&problem, Fresnel::Exact, eta);
+        let (_, best) = found.best.expect("measured");
+        assert!(
+            best <= 1.001 * fitted.errors.total,
+            "{best} {}",
+            fitted.errors.total
+        );
+        // Planted: the best node is above it.
+        let node = problem.with_best_amplitudes(&found.lowest().expect("nodes").brdf);
+        let node = problem.errors(&node).total;
+        assert!(node > 1.002 * fitted.errors.total, "{node}");
+    }
 }

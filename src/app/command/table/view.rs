@@ -7,7 +7,7 @@ use crate::app::state::prefs::Theme;
 use crate::app::state::side_panels::{SIDES, Side};
 use crate::app::state::views::VIEWS;
 use crate::app::views::sphere::settings::{SHOWS, Show};
-use crate::figure::scale::RADIAL_SCALES;
+use crate::figure::lobes::LOBE_SCALES;
 use crate::geom::sphere::{LIGHT_PRESETS, LightPreset};
 use crate::geom::sphere_error::SphereError;
 use egui::Key;
@@ -27,10 +27,16 @@ pub(super) const ROWS: &[Row] = &[
     }),
     Row::Each("Lobe scale", || {
         let help = "Radius of the polar lobes per f_r";
-        RADIAL_SCALES
+        LOBE_SCALES
             .map(|scale| item(Command::UseScale(scale), scale.name(), help))
             .into()
     }),
+    one(
+        Command::ToggleShapeOnly,
+        "Lobes: shape only",
+        None,
+        "Draw each lobe by its own maximum, to compare shapes",
+    ),
     one(
         Command::ToggleCosine,
         "Lobes × cos θi",

@@ -14,7 +14,7 @@ use crate::app::widgets::formula::number;
 use crate::app::widgets::heat::{HeatOnScreen, heat_ui};
 use crate::app::widgets::paint::plain;
 use crate::app::widgets::{empty, toolbar};
-use crate::brdf::Fresnel;
+use crate::brdf::{Brdf, Fresnel};
 use crate::export::fit_output::terrain;
 use crate::figure::heatmap::HeatView;
 use crate::figure::landscape::{LandscapeSpec, Terrain};
@@ -49,9 +49,7 @@ pub fn landscape_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> boo
         view: view.view,
         path: path(state),
         here: Some(place(&opened.brdf)),
-        best: landscape
-            .and_then(|landscape| landscape.best)
-            .map(|(brdf, error)| (place(&brdf), 100.0 * error)),
+        best: best(state, &query, landscape).map(|(brdf, error)| (place(&brdf), 100.0 * error)),
     };
     let heat = spec.heat_spec(&material.name, &terrain);
     let dimmed = shown.is_some_and(|(_, fresh)| !fresh);
@@ -66,6 +64,25 @@ pub fn landscape_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> boo
         tooltip(&on_screen, landscape);
     }
     false
+}
+
+/// The best model that is known: that of the landscape, or the kept fit where it is better under the same terms.
+fn best(
+    state: &State,
+    query: &LandscapeQuery,
+    landscape: Option<&Landscape>,
+) -> Option<(Brdf, f64)> {
+    let found = landscape.and_then(|landscape| landscape.best)?;
+    let fit = state.current_fit().filter(|kept| {
+        let (setup, brdf) = (&kept.setup, &kept.outcome.brdf);
+        let same_eta = match query.eta {
+            Eta::Fixed(eta) => brdf.fresnel == Fresnel::None || brdf.params.eta == eta,
+            Eta::Optimised => true,
+        };
+        (setup.weight, setup.limit) == (query.weight, query.limit) && same_eta
+    });
+    let fit = fit.map(|kept| (kept.outcome.brdf, kept.outcome.errors.total));
+    fit.filter(|(_, error)| *error < found.1).or(Some(found))
 }
 
 fn set(view: &LandscapeSettings, change: impl FnOnce(&mut LandscapeSettings)) -> Msg {

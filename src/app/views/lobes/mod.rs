@@ -13,9 +13,8 @@ use crate::app::views::lobes::settings::{LobeSettings, drawable};
 use crate::app::widgets::legend::legend_ui;
 use crate::app::widgets::{controls, paint, probe, toolbar, zoom};
 use crate::figure::Point;
-use crate::figure::lobes::LobePlot;
+use crate::figure::lobes::{LOBE_SCALES, LobePlot};
 use crate::figure::palette::Palette;
-use crate::figure::scale::RADIAL_SCALES;
 use crate::geom::limits::MAX_THETA_I_DEG;
 use egui::{CursorIcon, PointerButton, Sense, Vec2};
 
@@ -43,7 +42,7 @@ pub fn lobes_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
 fn toolbar_ui(ui: &mut egui::Ui, tile: &LobeSettings, out: &mut Vec<Msg>) {
     toolbar::row_ui(ui, |bar| {
         bar.group(|ui| {
-            for scale in RADIAL_SCALES {
+            for scale in LOBE_SCALES {
                 let response = ui.selectable_label(tile.scale == scale, scale.name());
                 if response
                     .on_hover_text(Command::UseScale(scale).hint(ui.ctx()))
@@ -95,6 +94,14 @@ fn toolbar_ui(ui: &mut egui::Ui, tile: &LobeSettings, out: &mut Vec<Msg>) {
                     cosine,
                     ..tile.clone()
                 }));
+            }
+        });
+        bar.group(|ui| {
+            let mut on = tile.shape_only;
+            let tick = ui.checkbox(&mut on, "shape only");
+            let hint = Command::ToggleShapeOnly.hint(ui.ctx());
+            if tick.on_hover_text(hint).changed() {
+                out.push(Msg::Run(Command::ToggleShapeOnly));
             }
         });
     });

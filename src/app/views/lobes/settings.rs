@@ -5,7 +5,6 @@ use crate::app::state::sanitize::{angles, limits};
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::Settings;
 use crate::figure::lobes::LobeSpec;
-use crate::figure::scale::RadialScale;
 use crate::geom::limits::MAX_THETA_I;
 
 /// Settings of the polar lobes. The probe is filled in while drawing.
@@ -30,11 +29,6 @@ pub fn drawable(settings: &LobeSettings, probe: Option<Probe>) -> LobeSpec {
         probe: probe
             .zip(theta_i)
             .map(|(probe, theta_i)| probe.mark_in_plane(*theta_i)),
-        // Only a logarithm begins above 0; the limits may have been set on another scale.
-        limits: settings.limits.map(|[low, high]| match settings.scale {
-            RadialScale::Log => [low, high],
-            RadialScale::Linear | RadialScale::CubeRoot => [0.0, high],
-        }),
         ..settings.clone()
     }
 }
