@@ -16,6 +16,24 @@ fn step(window: &Window) -> usize {
     window.state().state().lesson.expect("a lesson").step
 }
 
+/// Checks that the card lies over no picture and no slider.
+#[track_caller]
+fn covers_nothing(window: &Window) {
+    let ends = ["End lesson", "Done"];
+    let end = ends
+        .into_iter()
+        .find_map(|name| window.query_by_label(name));
+    let card = end.expect("the card").rect();
+    for role in [Role::Image, Role::Slider] {
+        for node in window.query_all_by_role(role) {
+            let rect = node.rect();
+            let below = card.top() >= rect.bottom() || card.left() >= rect.right();
+            let beside = rect.left() >= card.right() || rect.top() >= card.bottom();
+            assert!(below || beside, "{card} over {rect}");
+        }
+    }
+}
+
 #[test]
 #[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn every_lesson_runs_through() {
@@ -26,6 +44,7 @@ fn every_lesson_runs_through() {
         for k in 0..lesson.steps.len() {
             assert_eq!(step(&window), k);
             assert!(window.state().state().looks_at(lesson.steps[k].look_at));
+            covers_nothing(&window);
             if k + 1 < lesson.steps.len() {
                 click(&mut window, "Next");
             }

@@ -120,7 +120,17 @@ fn the_smallest_window_keeps_a_sphere_a_lobe_plot_and_a_slider() {
         );
         assert!(picture.bottom() <= 360.0 - 20.0, "{name} {picture}");
     }
-    assert!(place(&window, Role::Slider, "s").bottom() < 340.0);
+    let slider = place(&window, Role::Slider, "s");
+    assert!(
+        slider.bottom() < 340.0 && slider.right() <= 640.0,
+        "{slider}"
+    );
+    // Nothing of the panel is cut off.
+    let (lobes, tab) = (
+        place(&window, Role::Image, "Polar lobes"),
+        place(&window, Role::Tab, "Model"),
+    );
+    assert!(tab.left() > lobes.right() + 8.0, "{tab} {lobes}");
 }
 
 #[test]

@@ -35,7 +35,7 @@ pub fn sides_ui(ui: &mut Ui, state: &State, out: &mut Vec<Msg>) {
     if state.prefs.panels.is_open(Side::Model) || looked_at(state).is_some() {
         // A narrow window has no room to give: the panel takes its share, and is not resized.
         let panel = if state.prefs.panels.is_narrow {
-            let share = (0.36 * width).clamp(236.0, 316.0);
+            let share = (0.36 * width).clamp(256.0, 316.0);
             Panel::right("model narrow")
                 .exact_size(share)
                 .resizable(false)

@@ -101,16 +101,19 @@ impl Profile {
     /// The scale on which the base and the lobes can both be seen.
     fn scale(&self) -> RadialScale {
         let height = self.peaks[0].0 / self.base;
-        if height <= MATTE {
+        // The smallest lobe is to be a third of the radius at least.
+        let spread = |scale| self.rim(scale) / self.peaks[0].0;
+        if height <= MATTE && spread(RadialScale::Linear) <= 3.0 {
             RadialScale::Linear
-        } else if height <= GLOSSY {
+        } else if height <= GLOSSY && spread(RadialScale::CubeRoot) <= 27.0 {
             RadialScale::CubeRoot
         } else {
             RadialScale::Log
         }
     }
 
-    fn axis(&self, scale: RadialScale) -> Axis {
+    /// The highest value that is to be inside the rim.
+    fn rim(&self, scale: RadialScale) -> f64 {
         let highest = self.peaks.len() - 1;
         let clipped = match scale {
             RadialScale::Linear => CLIPPED.0,
@@ -121,16 +124,19 @@ impl Profile {
         let (peak, with_grazing) = next
             .filter(|next| self.peaks[highest].0 > clipped * next.0)
             .unwrap_or(self.peaks[highest]);
-        let rim = if with_grazing <= GRAZING * peak {
+        if with_grazing <= GRAZING * peak {
             with_grazing
         } else {
             peak
-        };
+        }
+    }
+
+    fn axis(&self, scale: RadialScale) -> Axis {
         // A power of ten below the low values, so that the base stands clear of the middle.
         let floor = match scale {
             RadialScale::Linear | RadialScale::CubeRoot => 0.0,
             RadialScale::Log => 10f64.powi((self.low / 2.0).log10().floor() as i32),
         };
-        Axis::between(scale, floor, ROOM * rim)
+        Axis::between(scale, floor, ROOM * self.rim(scale))
     }
 }
