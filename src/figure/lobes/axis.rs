@@ -16,7 +16,7 @@ const GLOSSY: f64 = 40.0;
 
 /// Factor by which the highest lobe may exceed the next one before it is clipped: on a linear axis, on one by the
 /// cube root. A logarithm has room for all.
-const CLIPPED: (f64, f64) = (2.5, 10.0);
+const CLIPPED: (f64, f64) = (2.5, 3.0);
 
 /// Factor by which a lobe may rise beyond 80° for the axis to hold that too.
 const GRAZING: f64 = 1.5;
