@@ -4,8 +4,8 @@ use super::svg::HALO;
 use super::{CREATOR, Paper, font};
 use crate::figure::drawing::{Item, Label, Point};
 use crate::figure::palette::{Ink, Palette, Role};
-use krilla::Document;
 use krilla::color::rgb;
+use krilla::configure::{ConfigurationBuilder, PdfVersion};
 use krilla::geom::{Path, PathBuilder, Point as PdfPoint, Rect, Size, Transform};
 use krilla::image::Image;
 use krilla::metadata::Metadata;
@@ -14,6 +14,7 @@ use krilla::page::PageSettings;
 use krilla::paint::{Fill, LineJoin, Stroke, StrokeDash};
 use krilla::surface::Surface;
 use krilla::text::{Font, GlyphId, KrillaGlyph};
+use krilla::{Document, SerializeSettings};
 
 /// Why there is no PDF: one sentence.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -29,7 +30,7 @@ pub fn pdf(paper: &Paper) -> Result<Vec<u8>, PdfError> {
     let fail = |what: &str| PdfError(what.into());
     let page = PageSettings::from_wh(width, height).ok_or_else(|| fail("the page has no area"))?;
     let font = Font::new(font::BYTES.into(), 0).ok_or_else(|| fail("the font cannot be read"))?;
-    let mut document = Document::new();
+    let mut document = Document::new_with(settings()?);
     document.set_metadata(
         Metadata::new()
             .title(paper.title.clone())
@@ -49,6 +50,19 @@ pub fn pdf(paper: &Paper) -> Result<Vec<u8>, PdfError> {
     document
         .finish()
         .map_err(|error| PdfError(format!("{error:?}")))
+}
+
+/// PDF 1.5: pdfTeX warns of what is newer than the documents that it makes, and nothing in a figure needs more. PDF 1.4
+/// would do, but has limits on numbers and lists that a large figure could meet.
+fn settings() -> Result<SerializeSettings, PdfError> {
+    let configuration = ConfigurationBuilder::new()
+        .with_version(PdfVersion::Pdf15)
+        .finish()
+        .map_err(|error| PdfError(format!("{error:?}")))?;
+    Ok(SerializeSettings {
+        configuration,
+        ..SerializeSettings::default()
+    })
 }
 
 fn draw(surface: &mut Surface, item: &Item, paper: &Paper, font: &Font) {

@@ -14,9 +14,10 @@ pub fn svg(paper: &Paper) -> String {
     let [width, height] = paper.drawing.size;
     let mm = |points: f32| number((f64::from(points) / POINTS_PER_MM) as f32);
     let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    // librsvg and Inkscape do not read `white-space` and would drop the blanks beside a subscript.
     let _ = writeln!(
         out,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {} {}\">",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" xml:space=\"preserve\" width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {} {}\">",
         mm(width),
         mm(height),
         number(width),

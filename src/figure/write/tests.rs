@@ -82,6 +82,28 @@ fn an_svg_keeps_its_text_and_is_as_large_as_it_says() {
 }
 
 #[test]
+fn blanks_of_an_svg_are_kept_by_readers_that_know_no_white_space_property() {
+    let mut spaced = paper();
+    let text = RichText::parse("θ_{i}  = 30°, log_{10} scale");
+    let label = Label::new(text, [9.0; 2], Anchor::LEFT, 8.0, RED);
+    spaced.drawing.items = vec![Item::Text(label)];
+    let whole = svg::svg(&spaced);
+    let old = whole.replace("white-space: pre;", "");
+    assert_ne!(old, whole);
+    for (text, kept) in [
+        (whole, true),
+        (old.clone(), true),
+        // Planted: without both, two blanks are one.
+        (old.replace("xml:space", "id"), false),
+    ] {
+        let tree = usvg::Tree::from_str(&text, &options()).expect("an SVG");
+        let mut found = Vec::new();
+        texts(tree.root(), &mut found);
+        assert_eq!(found == ["θi  = 30°, log10 scale"], kept, "{found:?}");
+    }
+}
+
+#[test]
 fn the_font_in_an_svg_has_the_letters_that_are_used() {
     let text = svg::svg(&paper());
     let (_, rest) = text.split_once("base64,").expect("a font");
@@ -202,7 +224,10 @@ fn a_png_knows_its_resolution_and_one_too_large_is_refused() {
 #[test]
 fn a_pdf_is_made_and_always_the_same() {
     let bytes = pdf::pdf(&paper()).expect("a PDF");
-    assert!(bytes.starts_with(b"%PDF-") && bytes.len() < 60_000);
+    // The version that pdfTeX takes without a warning, in the header and in the metadata.
+    assert!(bytes.starts_with(b"%PDF-1.5") && bytes.len() < 60_000);
+    let found = String::from_utf8_lossy(&bytes);
+    assert!(found.contains("<pdf:PDFVersion>1.5<"), "{found}");
     assert_eq!(pdf::pdf(&paper()).expect("a PDF"), bytes);
     assert_eq!(svg::svg(&paper()), svg::svg(&paper()));
     let mut other = paper();
