@@ -152,6 +152,11 @@ impl FigureSpec {
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
     }
 
+    /// Whether a file has this very text.
+    pub fn is_in(&self, path: &Path) -> bool {
+        files::read_text(path).is_ok_and(|text| text == self.to_json())
+    }
+
     /// The figure as it is read back from its file, where angles are rounded: what is drawn now and what is drawn from
     /// the file are the same.
     pub fn settled(&self) -> Self {

@@ -293,6 +293,49 @@ fn what_is_there_is_not_replaced_unasked() {
     );
 }
 
+#[test]
+fn a_figure_is_written_in_several_formats_or_in_none() {
+    let folder = Folder::new();
+    let (_, fits) = material(&folder);
+    let [svg, pdf, csv] = ["svg", "pdf", "csv"].map(|end| folder.path(format!("lobes.{end}")));
+    let both = |first: &Path, second: &Path, preset: &str| {
+        grazing(&[
+            &"figure",
+            &"--preset",
+            &preset,
+            &fits,
+            &"-o",
+            &first,
+            &"-o",
+            &second,
+        ])
+    };
+    succeeded(&both(&svg, &pdf, "lobes"));
+    let spec = folder.path("lobes.figure.json");
+    let drawn = fs::read(&spec).expect("a spec");
+    // The same figure once more in another format: its spec is the one that is there.
+    succeeded(&figure(&fits, &csv, "--preset lobes"));
+    assert_eq!(fs::read(&spec).expect("a spec"), drawn);
+    let lone = folder.path("again.pdf");
+    succeeded(&figure(&fits, &lone, "--preset lobes"));
+    assert!(fs::read(&lone).expect("a PDF") == fs::read(&pdf).expect("a PDF"));
+    // Planted: another figure under this name.
+    let png = folder.path("lobes.png");
+    let other = figure(&fits, &png, "--preset lobes --theta-i 10");
+    failed(&other, &spec, "exists already");
+    assert!(!png.exists() && fs::read(&spec).expect("a spec") == drawn);
+    // One of two cannot be written: by its place, by its spec, by what is on it.
+    let fresh = folder.path("fresh.svg");
+    failed(&both(&fresh, &pdf, "lobes"), &pdf, "exists already");
+    failed(&both(&fresh, &png, "slices"), &spec, "exists already");
+    let exr = both(&fresh, &folder.path("fresh.exr"), "lobes");
+    assert!(stderr(&exr).contains("EXR holds one sphere"), "{exr:?}");
+    assert!(!fresh.exists() && !folder.path("fresh.figure.json").exists());
+    let twice = both(&fresh, &fresh, "lobes");
+    assert_eq!(twice.status.code(), Some(2));
+    assert!(stderr(&twice).contains("given twice"), "{twice:?}");
+}
+
 /// Temporary files of a write under way, with bytes in them.
 fn begun(folder: &Folder) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder.root()).expect("a folder");

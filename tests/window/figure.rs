@@ -87,8 +87,8 @@ fn the_window_and_the_command_write_the_same_bytes() {
         let theta_i = &mut value["rows"][0]["panels"][0]["view"]["lobes"]["theta_i"][0];
         assert_eq!(*theta_i, 30.0);
         *theta_i = 31.0.into();
-        fs::write(&spec, value.to_string()).expect("is written");
-        draw_again(&spec, &again);
+        let planted = folder.file("planted.figure.json", value.to_string());
+        draw_again(&planted, &again);
         assert!(fs::read(&again).expect("a figure") != first, "{format:?}");
     }
 }
@@ -174,6 +174,29 @@ fn a_place_that_cannot_be_written_to_is_named_and_a_foreign_file_is_kept() {
     export(folder.path("lobes.svg"), "is no figure");
     assert_eq!(fs::read(&mine).expect("is there"), b"my own notes");
     assert!(!folder.path("lobes.svg").exists());
+    // The spec of another figure is kept too, but where that figure is replaced.
+    let mut text = String::new();
+    for (name, wanted) in [
+        ("disc.svg", "Saved"),
+        ("disc.pdf", "Saved"),
+        ("disc.png", "the spec of another figure is there"),
+        ("disc.svg", "Saved"),
+    ] {
+        export(folder.path(name), wanted);
+        let spec = folder.path("disc.figure.json");
+        let now = fs::read_to_string(&spec).expect("a spec");
+        if name == "disc.pdf" {
+            assert_eq!(now, text);
+            // Another figure of the same name from now on.
+            fs::write(&spec, now.replace("\"font_pt\": 8.0", "\"font_pt\": 9.0"))
+                .expect("is written");
+        } else if name == "disc.png" {
+            assert!(now != text && !folder.path(name).exists());
+        } else if !text.is_empty() {
+            assert_eq!(now, text);
+        }
+        text = if text.is_empty() { now } else { text };
+    }
 }
 
 /// Moves the pointer onto a view and copies; what was copied, once it is there.
