@@ -336,6 +336,57 @@ fn a_figure_is_written_in_several_formats_or_in_none() {
     assert!(stderr(&twice).contains("given twice"), "{twice:?}");
 }
 
+#[test]
+fn materials_of_the_same_bytes_or_the_same_name_are_all_drawn() {
+    let folder = Folder::new();
+    let (data, fits) = material(&folder);
+    for name in ["old", "new"] {
+        fs::create_dir(folder.path(name)).expect("a folder");
+    }
+    let copies = ["old/lacquer.binary", "new/lacquer.binary", "copy.binary"];
+    for copy in copies {
+        fs::hard_link(&data, folder.path(copy)).expect("a second name");
+    }
+    // Another name of the same file.
+    std::os::unix::fs::symlink("copy.binary", folder.path("link.binary")).expect("a link");
+    let sha256 = succeeded(
+        &Command::new("sha256sum")
+            .arg(&data)
+            .output()
+            .expect("sha256sum"),
+    );
+    let sha256 = sha256.split_whitespace().next().expect("a sum");
+    let one = fs::read_to_string(&fits).expect("fits");
+    let all: Vec<Value> = copies
+        .iter()
+        .chain(&["link.binary"])
+        .flat_map(|copy| {
+            let mut fits: Vec<Value> = serde_json::from_str(&one).expect("JSON");
+            for fit in &mut fits {
+                fit["source"] = serde_json::json!({"path": copy, "sha256": sha256});
+            }
+            fits
+        })
+        .collect();
+    let fits = folder.file("all.json", Value::from(all).to_string());
+    let out = folder.path("all.svg");
+    succeeded(&figure(&fits, &out, "--preset lobes"));
+    let spec = fs::read_to_string(folder.path("all.figure.json")).expect("a spec");
+    let spec: Value = serde_json::from_str(&spec).expect("JSON");
+    let headings: Vec<&Value> = spec["rows"]
+        .as_array()
+        .expect("rows")
+        .iter()
+        .map(|row| &row["panels"][0]["heading"])
+        .collect();
+    assert_eq!(headings, ["old/lacquer", "new/lacquer", "copy", "link"]);
+    let labels = spec["subjects"].as_array().expect("subjects");
+    let labels: Vec<&str> = labels.iter().filter_map(|s| s["label"].as_str()).collect();
+    for name in ["old/lacquer", "new/lacquer, Combined", "copy, Combined"] {
+        assert!(labels.contains(&name), "{labels:?}");
+    }
+}
+
 /// Temporary files of a write under way, with bytes in them.
 fn begun(folder: &Folder) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder.root()).expect("a folder");

@@ -10,6 +10,7 @@ pub mod lesson;
 pub mod library;
 pub mod listing;
 pub mod memory;
+pub mod names;
 pub mod open_session;
 pub mod opening;
 pub mod session;
@@ -26,9 +27,11 @@ use crate::brdf::{Brdf, ParamId, Params};
 use crate::files::session::has_ending;
 use crate::geom::color::luminance;
 
-/// Changes the state. Whatever happened, what is shown stays in memory and the rest within its limit.
+/// Changes the state. Whatever happened, open materials have names of their own, what is shown stays in memory and the
+/// rest within its limit.
 pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
     let mut tasks = change(state, msg);
+    names::tell_apart(state);
     tasks.extend(memory::keep(state));
     tasks
 }

@@ -122,6 +122,7 @@ fn add(state: &mut State, path: &Path, saved: &SavedMaterial, place: FilePlace) 
     };
     let material = Material {
         name: saved.name.clone(),
+        own_name: saved.name.clone(),
         origin,
         source,
         table: Table::unmeasured(),

@@ -99,6 +99,7 @@ fn add(state: &mut State, name: &str, origin: Origin, source: Option<SourceFile>
     let id = MaterialId(state.fresh_id());
     let material = Material {
         name: name.into(),
+        own_name: name.into(),
         origin,
         source,
         table: Table::unmeasured(),
