@@ -8,7 +8,8 @@ use crate::figure::page::{Page, draw};
 use crate::figure::subject::{Look, Source, Subject};
 use crate::files::fits::SourceFile;
 use crate::files::{self, FileError};
-use crate::measured::{Lookup, SyntheticMaterial, Table};
+use crate::keys;
+use crate::measured::{Lookup, SAMPLES, SyntheticMaterial, Table};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -111,8 +112,9 @@ pub fn open_from_files(
                 return Ok(Arc::clone(table));
             }
             let sample = SyntheticMaterial::by_key(key).ok_or_else(|| {
+                let proposal = keys::did_you_mean(key, SAMPLES.iter().map(|sample| sample.key));
                 ExportError::Other(format!(
-                    "unknown sample {key:?}; `grazing sample --list` shows them"
+                    "unknown sample {key:?}; `grazing sample --list` shows them{proposal}"
                 ))
             })?;
             let table = Arc::new(sample.synthesize());

@@ -506,6 +506,7 @@ fn wrong_options_and_files_have_one_line_each() {
     let lobes = r#"{"panels": [{"subjects": [], "view": {"lobes": {"theta": [3]}}}]}"#;
     let text = format!(r#"{{"subjects": [], "rows": [{lobes}]}}"#);
     fails(&spec(&text), "", "unknown field `theta`");
+    fails(&spec(&text), "", "; did you mean `theta_i`?");
     let survey = r#"{"panels": [{"subjects": [], "view": {"landscape": {}}}]}"#;
     let text = format!(r#"{{"subjects": [], "rows": [{survey}]}}"#);
     fails(&spec(&text), "", "needs a measured material");
