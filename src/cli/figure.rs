@@ -4,6 +4,7 @@ mod materials;
 
 use super::CliError;
 use crate::brdf::{Fresnel, MODELS, PHONG, fresnel::FRESNELS};
+use crate::export::fonts::lacking_text;
 use crate::export::preset::{PRESETS, Preset, PresetOptions};
 use crate::export::{
     ExportError, FORMATS, FigureFormat, FigureSpec, OpenedTables, open_from_files, prepare,
@@ -11,7 +12,7 @@ use crate::export::{
 };
 use crate::figure::page::{Inks, SAME_AXES, SameAxes, Style};
 use crate::figure::scale::{RADIAL_SCALES, RadialScale};
-use crate::files;
+use crate::files::{self, FileError};
 use crate::geom::sphere::SphereView;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use std::ops::ControlFlow;
@@ -169,7 +170,10 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     let mut table = |source: &_| open_from_files(source, &folder, args.changed, &mut opened);
     let prepared = prepare(&spec, &mut table, go_on)?;
     let kept = args.preset.is_none().then(|| args.files[0].as_path());
-    write_figure(&outputs, (&spec, &prepared), args.force, kept)?;
+    let lacking = write_figure(&outputs, (&spec, &prepared), args.force, kept)?;
+    if let Some(text) = lacking_text(&lacking) {
+        super::report(&FileError::new(&outputs[0].0, text));
+    }
     Ok(())
 }
 

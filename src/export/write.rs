@@ -5,9 +5,10 @@ use super::prepare::Prepared;
 use super::spec::{FigureSpec, spec_beside};
 use crate::figure::page::{Page, only_sphere};
 use crate::figure::sphere_image::render_part;
-use crate::figure::write::{pdf, raster, svg};
+use crate::figure::write::{font, pdf, raster, svg};
 use crate::files::{self, write_atomically};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
@@ -60,6 +61,11 @@ impl FigureFormat {
         }
     }
 
+    /// Whether letters are drawn in it.
+    fn has_text(self) -> bool {
+        matches!(self, Self::Svg | Self::Pdf | Self::Png)
+    }
+
     /// The format that the name of a file says.
     pub fn of_path(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
@@ -110,7 +116,7 @@ fn exr(spec: &FigureSpec, prepared: &Prepared, dpi: f64) -> Result<Vec<u8>, Stri
 
 /// Draws a figure, writes it in one or several formats and, beside each file, its spec. Files that are there are refused
 /// unless `force`, before anything is written; a spec that is there already with the same bytes is no conflict. `kept` is a
-/// spec that is left as it is, the one that is drawn.
+/// spec that is left as it is, the one that is drawn. Gives back the letters that no font has, where such are drawn.
 ///
 /// # Errors
 /// One line with the path last.
@@ -119,7 +125,7 @@ pub fn write_figure(
     (spec, prepared): (&FigureSpec, &Prepared),
     force: bool,
     kept: Option<&Path>,
-) -> Result<(), ExportError> {
+) -> Result<BTreeSet<char>, ExportError> {
     let kept = kept.map(files::place);
     let mut beside: Vec<PathBuf> = Vec::new();
     for (path, _) in outputs {
@@ -147,5 +153,9 @@ pub fn write_figure(
     for (path, bytes) in figures.into_iter().chain(specs) {
         write_atomically(&path, force, |file| file.write_all(&bytes))?;
     }
-    Ok(())
+    Ok(if outputs.iter().any(|(_, format)| format.has_text()) {
+        font::lacking(&page.paper.drawing, &page.paper.fallback)
+    } else {
+        BTreeSet::new()
+    })
 }

@@ -199,6 +199,35 @@ fn a_place_that_cannot_be_written_to_is_named_and_a_foreign_file_is_kept() {
     }
 }
 
+#[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
+fn a_png_of_a_tile_says_how_large_it_is_on_paper() {
+    let folder = Folder::new();
+    for dpi in [96.0, 250.0] {
+        let path = folder.path(format!("lobes-{dpi}.png"));
+        let mut window = saving_to(path.clone());
+        let mut prefs = window.state().state().prefs.figure.clone();
+        prefs.format = FigureFormat::Png;
+        (prefs.style.dpi, prefs.style.width_mm) = (dpi, 100.0);
+        send(&mut window, Msg::Figure(FigureMsg::Set(prefs)));
+        run(&mut window, Command::ExportFigure);
+        send(
+            &mut window,
+            Msg::Figure(FigureMsg::Choose(vec![ViewId::Lobes])),
+        );
+        send(&mut window, Msg::Figure(FigureMsg::Export));
+        settle(&mut window, |state| said(state, "Saved"));
+        let file = std::io::BufReader::new(fs::File::open(&path).expect("a PNG"));
+        let reader = png::Decoder::new(file).read_info().expect("a header");
+        let density = reader.info().pixel_dims.expect("a resolution");
+        assert_eq!(density.unit, png::Unit::Meter);
+        assert_eq!(density.xppu, (dpi / 0.0254).round() as u32);
+        // Together with its pixels: 100 mm, to a pixel.
+        let metres = f64::from(reader.info().width) / f64::from(density.xppu);
+        assert!((metres - 0.1).abs() < 0.0254 / dpi, "{metres}");
+    }
+}
+
 /// Moves the pointer onto a view and copies; what was copied, once it is there.
 fn copied(window: &mut Window, command: Command, view: &str) -> egui::OutputCommand {
     hover(window, view);

@@ -112,6 +112,7 @@ pub fn export(
     jobs: &Jobs,
     save: &Arc<SavePicker>,
 ) {
+    let sender = jobs.sender().clone();
     ask_and_do(jobs, save, name, move |path| {
         // The name may say another format than the dialog.
         let format = FigureFormat::of_path(&path).unwrap_or(format);
@@ -129,9 +130,12 @@ pub fn export(
             let figure = (&drawable.spec, &prepared);
             write_figure(&[(path.clone(), format)], figure, true, None)
         };
-        prepared(&drawable, go_on)
+        let lacking = prepared(&drawable, go_on)
             .and_then(write)
             .map_err(|error| error.to_string())?;
+        if !lacking.is_empty() {
+            sender.send(Msg::Letters(lacking));
+        }
         Ok(path)
     });
 }

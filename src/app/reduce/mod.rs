@@ -7,6 +7,7 @@ pub mod fit;
 pub mod fit_files;
 pub mod folder_fit;
 pub mod lesson;
+pub mod letters;
 pub mod library;
 pub mod listing;
 pub mod memory;
@@ -125,6 +126,11 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
         Msg::ReadGuide(at) => state.dialog = Some(Dialog::Guide(at)),
         Msg::CloseDialog => state.dialog = None,
         Msg::Notify(level, text) => notify(state, level, text),
+        Msg::Letters(found) => return letters::look_for(state, found),
+        Msg::FontsFound { fonts, lacking } => {
+            letters::lacking(state, &lacking);
+            return vec![Task::AddFonts(fonts)];
+        }
         Msg::Dismiss(id) => state.notices.retain(|notice| notice.id != id),
         Msg::Settle => state.history.settle(&state.scene),
     }
