@@ -129,7 +129,8 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<(), CliError> {
     if args.outputs().next().is_none() {
         write_json(&fits, out)?;
     } else if io::stdout().is_terminal() {
-        write_models(fits.iter().map(row).collect(), out)?;
+        let rows: Vec<ModelRow> = fits.iter().map(row).collect();
+        write_models(&rows, out)?;
     }
     if all_good {
         Ok(())

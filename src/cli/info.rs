@@ -94,7 +94,7 @@ fn models(entries: &[FitEntry], as_json: bool, out: &mut dyn Write) -> Result<()
             error: entry.error,
         })
         .collect();
-    Ok(write_models(rows, out)?)
+    Ok(write_models(&rows, out)?)
 }
 
 /// A row of the table of models.
@@ -110,7 +110,7 @@ pub(super) struct ModelRow {
 }
 
 /// Writes a table of models, a row for each; `index` is what `grazing eval --index` takes.
-pub(super) fn write_models(rows: Vec<ModelRow>, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write_models(rows: &[ModelRow], out: &mut dyn Write) -> io::Result<()> {
     let keys = |key: fn(&ModelRow) -> &str| {
         Column::Text(rows.iter().map(|row| key(row).to_owned()).collect())
     };
@@ -123,7 +123,7 @@ pub(super) fn write_models(rows: Vec<ModelRow>, out: &mut dyn Write) -> io::Resu
                     .collect(),
             ),
         ),
-        ("material", Column::Text(names(&rows))),
+        ("material", Column::Text(names(rows))),
         ("model", keys(|row| row.brdf.model.key)),
         ("fresnel", keys(|row| row.brdf.fresnel.key())),
         (
