@@ -5,6 +5,7 @@ use serde::Deserialize;
 use serde::de::value::{Error, StrDeserializer};
 use serde::de::{Deserializer, Error as _, IntoDeserializer, Visitor};
 use serde::forward_to_deserialize_any;
+use std::fmt;
 
 /// The names that serde gives the variants of an enum, in the order of their declaration; none for another type.
 pub fn names<T: Deserialize<'static>>() -> &'static [&'static str] {
@@ -23,6 +24,43 @@ pub fn key_at<T: Deserialize<'static>>(position: usize) -> &'static str {
 pub fn by_key<'a, T: Deserialize<'a>>(key: &'a str) -> Option<T> {
     let text: StrDeserializer<'a, Error> = key.into_deserializer();
     T::deserialize(text).ok()
+}
+
+/// How much alike two words are where one may be meant by the other, from 0 to 1, as [`strsim::jaro_winkler`] has it. Dashes
+/// and underscores may be left out: it takes little account of a letter more in a short word.
+const ALIKE: f64 = 0.8;
+
+/// The known word that is most like an unknown one; `None` where none is.
+pub fn nearest<'k>(unknown: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
+    let bare = |word: &str| word.to_lowercase().replace(['-', '_', ' '], "");
+    let whole = |known: &str| strsim::jaro_winkler(&unknown.to_lowercase(), &known.to_lowercase());
+    let alike = |known: &str| strsim::jaro_winkler(&bare(unknown), &bare(known)).max(whole(known));
+    known
+        .into_iter()
+        .map(|known| (alike(known), known))
+        .filter(|(alike, _)| *alike >= ALIKE)
+        // The first of equals, so that the same word is proposed each time.
+        .reduce(|best, next| if next.0 > best.0 { next } else { best })
+        .map(|(_, known)| known)
+}
+
+/// The end of a sentence about an unknown word: the word that may be meant, or nothing.
+pub fn did_you_mean<'k>(unknown: &str, known: impl IntoIterator<Item = &'k str>) -> String {
+    nearest(unknown, known).map_or_else(String::new, |known| format!("; did you mean `{known}`?"))
+}
+
+/// What serde says, with the key or word that may be meant where it says that one is unknown and what it expected.
+pub fn with_proposal(error: &impl fmt::Display) -> String {
+    let said = error.to_string();
+    let mut quoted = said.split('`').skip(1).step_by(2);
+    let unknown = ["unknown field `", "unknown variant `"];
+    let proposal = match quoted.next() {
+        Some(word) if unknown.iter().any(|begin| said.contains(begin)) => {
+            did_you_mean(word, quoted)
+        }
+        _ => String::new(),
+    };
+    said + &proposal
 }
 
 /// Takes the names of an enum's variants instead of a value.
@@ -133,6 +171,38 @@ mod tests {
             );
             assert_eq!(read(&format!("\"{name}s\"")), None);
         }
+    }
+
+    #[test]
+    fn the_nearest_word_is_proposed_and_nothing_for_a_stranger() {
+        let known = ["rho_d", "k_s", "s", "alpha", "eta"];
+        for (word, wanted) in [
+            ("ks", Some("k_s")),
+            ("Alpah", Some("alpha")),
+            ("rhod", Some("rho_d")),
+            ("shininess", None),
+            ("roughness", None),
+            ("", None),
+        ] {
+            assert_eq!(nearest(word, known), wanted, "{word}");
+        }
+        assert_eq!(did_you_mean("ks", known), "; did you mean `k_s`?");
+        assert_eq!(did_you_mean("colour", known), "");
+    }
+
+    #[test]
+    fn what_serde_says_gets_a_proposal() {
+        let said = |text: &str| {
+            let error = serde_json::from_str::<ViewSpec>(text).expect_err("is bad");
+            with_proposal(&error)
+        };
+        let field = said(r#"{"lobes": {"theta": [3]}}"#);
+        assert!(field.ends_with("; did you mean `theta_i`?"), "{field}");
+        let variant = said(r#"{"lobe": {}}"#);
+        assert!(variant.ends_with("; did you mean `lobes`?"), "{variant}");
+        // Planted: nothing is like it, and an error that is about something else.
+        assert!(!said(r#"{"lobes": {"zoom": 3}}"#).contains("did you mean"));
+        assert!(!said(r#"{"lobes": {"theta_i": "`x`"}}"#).contains("did you mean"));
     }
 
     #[test]

@@ -17,6 +17,7 @@ pub mod widgets;
 
 use crate::app::command::ENTRIES;
 use crate::app::jobs::autosave::Autosave;
+use crate::app::jobs::fonts::LackingLetters;
 use crate::app::jobs::sender::Sender;
 use crate::app::jobs::{Jobs, prepare_threads};
 use crate::app::msg::Msg;
@@ -66,6 +67,7 @@ pub struct App {
     tools: Tools,
     adapter: String,
     autosave: Option<Autosave>,
+    lacking: LackingLetters,
     shown_theme: Option<Theme>,
     shown_zoom: Option<Zoom>,
     shown_title: String,
@@ -99,10 +101,12 @@ impl App {
             },
             adapter: crate::gpu::adapter::describe(&render_state.adapter.get_info()),
             autosave: None,
+            lacking: LackingLetters::default(),
             shown_theme: None,
             shown_zoom: None,
             shown_title: "Grazing".into(),
         };
+        cc.egui_ctx.add_font_provider(Arc::new(app.lacking.clone()));
         app.handle(&cc.egui_ctx, Msg::SetPrefs(Box::new(options.prefs)));
         for msg in kept(cc) {
             app.handle(&cc.egui_ctx, msg);
@@ -204,6 +208,10 @@ impl eframe::App for App {
         shortcuts(&ctx, &self.state, &mut out);
         dropped_files(&ctx, &mut out);
         self.panels_ui(ui, &mut out);
+        let lacking = self.lacking.take();
+        if !lacking.is_empty() {
+            out.push(Msg::Letters(lacking));
+        }
         let changed = !out.is_empty();
         for msg in out {
             self.handle(&ctx, msg);

@@ -3,7 +3,7 @@
 use crate::app::jobs::dialogs::{Picker, ask, ask_and_write};
 use crate::app::jobs::fit::{Problems, fit, refit_amplitudes};
 use crate::app::jobs::load::load;
-use crate::app::jobs::{Jobs, dialogs, library, session};
+use crate::app::jobs::{Jobs, dialogs, fonts, library, session};
 use crate::app::msg::figure::FigureTask;
 use crate::app::msg::work::SendMsg;
 use crate::app::msg::{Msg, Task};
@@ -71,6 +71,8 @@ pub fn start(task: Task, state: &State, tools: &Tools, ctx: &egui::Context) {
                 egui::ScreenshotCallback::new(arrived),
             ));
         }
+        Task::FindFonts(letters) => jobs.start(fonts::find(letters)),
+        Task::AddFonts(found) => fonts::add(ctx, found),
         Task::Copy(text) => ctx.copy_text(text),
         Task::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
     }

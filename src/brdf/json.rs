@@ -7,6 +7,7 @@ use super::fresnel::{FRESNELS, Fresnel};
 use super::model::{Brdf, Model};
 use super::models::MODELS;
 use super::params::Params;
+use crate::keys::{did_you_mean, nearest};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value, json};
 
@@ -38,9 +39,11 @@ pub fn from_value(value: &Value) -> Result<Brdf, BrdfJsonError> {
         }
     };
     let Some(model) = Model::by_key(model_key) else {
+        let known = || MODELS.iter().map(|m| m.key);
         return fail(format!(
-            "unknown model \"{model_key}\"; expected one of {}",
-            keys(MODELS.iter().map(|m| m.key))
+            "unknown model \"{model_key}\"; expected one of {}{}",
+            keys(known()),
+            did_you_mean(model_key, known())
         ));
     };
     let fresnel = match object.get("fresnel") {
@@ -48,9 +51,11 @@ pub fn from_value(value: &Value) -> Result<Brdf, BrdfJsonError> {
         Some(value) => match value.as_str().and_then(Fresnel::by_key) {
             Some(fresnel) => fresnel,
             None => {
+                let known = || FRESNELS.iter().map(|f| f.key());
                 return fail(format!(
-                    "unknown \"fresnel\" {value}; expected one of {}",
-                    keys(FRESNELS.iter().map(|f| f.key()))
+                    "unknown \"fresnel\" {value}; expected one of {}{}",
+                    keys(known()),
+                    did_you_mean(value.as_str().unwrap_or_default(), known())
                 ));
             }
         },
@@ -73,8 +78,12 @@ pub fn from_value(value: &Value) -> Result<Brdf, BrdfJsonError> {
         };
         let found = match object.get(row.key) {
             None | Some(Value::Null) => {
+                let meant = nearest(row.key, object.keys().map(String::as_str).filter(not_known));
+                let found = meant.map_or_else(String::new, |key| {
+                    format!("; there is \"{key}\": did you mean `{}`?", row.key)
+                });
                 return fail(format!(
-                    "\"{}\" ({}) is missing; expected {expected}",
+                    "\"{}\" ({}) is missing; expected {expected}{found}",
                     row.key, row.name
                 ));
             }
@@ -158,13 +167,22 @@ pub fn from_text(text: &str, index: usize) -> Result<Brdf, BrdfJsonError> {
     }
 }
 
-/// Rejects keys that differ from a known one only in capitals, dashes, underscores or spaces: `Fresnel`, `k-s`. Others
-/// pass.
+/// Whether a key means nothing to a model.
+fn not_known(key: &&str) -> bool {
+    let mut rows = super::params::ALL.iter();
+    !["model", "fresnel"].contains(key) && !rows.any(|row| row.key == *key)
+}
+
+/// Rejects keys that differ from a known one only in capitals, dashes, underscores or spaces, `Fresnel`, `k-s`, and those a
+/// letter away from `fresnel`, without which there is none and nobody would be told. Others pass.
 fn reject_misspelt_keys(object: &Map<String, Value>) -> Result<(), BrdfJsonError> {
     let bare = |key: &str| key.to_lowercase().replace(['-', '_', ' '], "");
     let rows = super::params::ALL.iter().map(|row| row.key);
     for known in rows.chain(["model", "fresnel"]) {
-        let meant = |key: &&String| key.as_str() != known && bare(key) == bare(known);
+        let slip = |key: &str| known == "fresnel" && strsim::osa_distance(key, known) == 1;
+        let meant = |key: &&String| {
+            key.as_str() != known && (bare(key) == bare(known) || slip(key.as_str()))
+        };
         if let Some(key) = object.keys().find(meant) {
             return Err(BrdfJsonError(format!(
                 "unknown key \"{key}\"; expected \"{known}\""

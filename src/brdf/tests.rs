@@ -196,6 +196,11 @@ fn json_round_trips_and_says_what_is_wrong() {
     assert!(
         phong(r#""Fresnel":"exact""#).contains("unknown key \"Fresnel\"; expected \"fresnel\"")
     );
+    assert!(phong(r#""fresnl":"exact""#).contains("expected \"fresnel\""));
+    assert!(phong(r#""fresnel":"exakt""#).ends_with("did you mean `exact`?"));
+    assert!(said(r#"{"model":"blin-phong"}"#, 0).ends_with("did you mean `blinn-phong`?"));
+    let alpha = r#"{"model":"combined","rho_d":[0,0,0],"k_s":[0,0,1],"s":9,"alhpa":1}"#;
+    assert!(said(alpha, 0).ends_with("there is \"alhpa\": did you mean `alpha`?"));
     assert!(phong(r#""fresnel":"cook""#).contains("none, exact, schlick"));
     assert!(phong(r#""rho_d":[0.1,0.2]"#).contains("three numbers"));
     assert!(phong(r#""rho_d":[0,0,0],"k_s":[0,0,-1],"s":1"#).contains("out of range"));

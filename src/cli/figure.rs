@@ -4,6 +4,7 @@ mod materials;
 
 use super::CliError;
 use crate::brdf::{Fresnel, MODELS, PHONG, fresnel::FRESNELS};
+use crate::export::fonts::lacking_text;
 use crate::export::preset::{PRESETS, Preset, PresetOptions};
 use crate::export::{
     ExportError, FORMATS, FigureFormat, FigureSpec, OpenedTables, open_from_files, prepare,
@@ -11,7 +12,7 @@ use crate::export::{
 };
 use crate::figure::page::{Inks, SAME_AXES, SameAxes, Style};
 use crate::figure::scale::{RADIAL_SCALES, RadialScale};
-use crate::files;
+use crate::files::{self, FileError};
 use crate::geom::sphere::SphereView;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use std::ops::ControlFlow;
@@ -26,7 +27,9 @@ Examples:
   grazing figure results.figure.json -o results.pdf
           The same figure again, byte by byte, from the spec that was written beside it
   grazing figure results.figure.json --grey --font 7 -o results.png
-          The same in greys and with a smaller font";
+          The same in greys and with a smaller font
+  grazing figure --preset slices fits.json -o slices.pdf -o slices.csv
+          A figure and its numbers";
 
 /// Draw figures for papers
 ///
@@ -40,9 +43,9 @@ pub struct Args {
     /// A .figure.json; with --preset measured files and fit files
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// File to write: .svg, .pdf, .png, .csv, or .exr for a sphere alone
-    #[arg(short, long, value_name = "FILE")]
-    output: PathBuf,
+    /// File to write: .svg, .pdf, .png, .csv, or .exr for a sphere alone; can be given several times
+    #[arg(short, long, required = true, value_name = "FILE")]
+    output: Vec<PathBuf>,
     /// Which figure to make from the files
     #[arg(long, value_name = "NAME", value_parser = presets())]
     preset: Option<String>,
@@ -154,23 +157,7 @@ fn theta_i(text: &str) -> Result<f64, String> {
 }
 
 pub fn run(args: &Args) -> Result<(), CliError> {
-    let Some(format) = FigureFormat::of_path(&args.output) else {
-        let known = FORMATS.map(|format| format!(".{}", format.extension()));
-        return usage(format!(
-            "{}: the name does not say which format; expected one of {}",
-            args.output.display(),
-            known.join(", ")
-        ));
-    };
-    let inputs: Vec<PathBuf> = args.files.iter().map(|file| files::place(file)).collect();
-    if inputs.contains(&files::place(&args.output)) {
-        return usage(format!(
-            "the output would replace an input: {}",
-            args.output.display()
-        ));
-    }
-    // Said now and not after the fits.
-    files::check_writable(&args.output, args.force)?;
+    let outputs = args.outputs()?;
     let mut opened = OpenedTables::new();
     let (mut spec, folder) = match &args.preset {
         Some(key) => (preset(args, key, &mut opened)?, PathBuf::new()),
@@ -183,8 +170,44 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     let mut table = |source: &_| open_from_files(source, &folder, args.changed, &mut opened);
     let prepared = prepare(&spec, &mut table, go_on)?;
     let kept = args.preset.is_none().then(|| args.files[0].as_path());
-    write_figure(&args.output, format, (&spec, &prepared), args.force, kept)?;
+    let lacking = write_figure(&outputs, (&spec, &prepared), args.force, kept)?;
+    if let Some(text) = lacking_text(&lacking) {
+        super::report(&FileError::new(&outputs[0].0, text));
+    }
     Ok(())
+}
+
+impl Args {
+    /// The files to write with their formats, as far as can be told before there is a figure.
+    fn outputs(&self) -> Result<Vec<(PathBuf, FigureFormat)>, CliError> {
+        let inputs: Vec<PathBuf> = self.files.iter().map(|file| files::place(file)).collect();
+        let mut places = Vec::new();
+        let mut outputs = Vec::new();
+        for path in &self.output {
+            let Some(format) = FigureFormat::of_path(path) else {
+                let known = FORMATS.map(|format| format!(".{}", format.extension()));
+                return usage(format!(
+                    "{}: the name does not say which format; expected one of {}",
+                    path.display(),
+                    known.join(", ")
+                ));
+            };
+            let place = files::place(path);
+            if inputs.contains(&place) {
+                let path = path.display();
+                return usage(format!("the output would replace an input: {path}"));
+            }
+            if places.contains(&place) {
+                let path = path.display();
+                return usage(format!("the output is given twice; give it once: {path}"));
+            }
+            // Said now and not after the fits.
+            files::check_writable(path, self.force)?;
+            places.push(place);
+            outputs.push((path.clone(), format));
+        }
+        Ok(outputs)
+    }
 }
 
 fn usage<T>(text: String) -> Result<T, CliError> {

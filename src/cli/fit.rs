@@ -4,6 +4,7 @@ mod parse;
 pub(super) mod progress;
 
 use super::CliError;
+use super::info::{ModelRow, write_models};
 use crate::brdf::fresnel::FRESNELS;
 use crate::brdf::{Fresnel, MODELS, Model, params};
 use crate::files::fits::{FitRecord, write_csv, write_json};
@@ -11,7 +12,7 @@ use crate::files::{self, FileError, place, write_atomically};
 use crate::fit::{FitOptions, Partial, Problem, StageSet, Variant, WEIGHTS, Weight, fit_all};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser as _};
 use progress::Bar;
-use std::io::Write;
+use std::io::{self, IsTerminal as _, Write};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
@@ -34,7 +35,8 @@ Examples:
 ///
 /// The result is a JSON array with an object per fit, described in docs/formats.md. A file that cannot be used is reported
 /// in one line and the others go on; the exit code is then 1. Where standard error is a terminal, a bar shows how far
-/// it is. Ctrl+C ends it, and then nothing is written.
+/// it is. Ctrl+C ends it, and then nothing is written. Where the result goes to a file and standard output is a terminal, a
+/// table of the fits is shown there.
 #[derive(clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Args {
@@ -126,12 +128,25 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<(), CliError> {
     written?;
     if args.outputs().next().is_none() {
         write_json(&fits, out)?;
+    } else if io::stdout().is_terminal() {
+        let rows: Vec<ModelRow> = fits.iter().map(row).collect();
+        write_models(&rows, out)?;
     }
     if all_good {
         Ok(())
     } else {
         out.flush()?;
         Err(CliError::Reported)
+    }
+}
+
+/// A fit in the table that is shown to a person.
+fn row(fit: &FitRecord) -> ModelRow {
+    ModelRow {
+        material: Some(fit.material.clone()),
+        path: fit.source.as_ref().map(|source| source.path.clone()),
+        brdf: fit.brdf,
+        error: Some(fit.errors.total),
     }
 }
 

@@ -1,10 +1,14 @@
 //! `grazing info FILE`: what is in a MERL file, a fit file or a file with models.
 
 use super::CliError;
+use super::table::{self, Column};
+use crate::brdf::{Brdf, params};
 use crate::files;
 use crate::files::fits::FitEntry;
+use crate::files::names::told_apart;
+use crate::measured::ChannelStats;
 use serde_json::json;
-use std::io::Write;
+use std::io::{self, Write};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
@@ -52,19 +56,23 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<(), CliError> {
     writeln!(out, "cells        {cells}")?;
     writeln!(out, "valid cells  {valid} ({share:.1} %)")?;
     writeln!(out)?;
-    writeln!(
-        out,
-        "{:<11}  {:>12} {:>12} {:>12}",
-        "f_r [1/sr]", "min", "median", "max"
-    )?;
-    for (channel, s) in channels.iter().zip(&stats) {
-        let [min, median, max] = [s.min, s.median, s.max].map(six_digits);
-        writeln!(out, "{channel:<11}  {min:>12} {median:>12} {max:>12}")?;
-    }
+    let column = |of: fn(&ChannelStats) -> f64| {
+        Column::Numbers(stats.iter().map(|s| Some(six_digits(of(s)))).collect())
+    };
+    let columns = vec![
+        (
+            "f_r [1/sr]",
+            Column::Text(channels.map(String::from).to_vec()),
+        ),
+        ("min", column(|s| s.min)),
+        ("median", column(|s| s.median)),
+        ("max", column(|s| s.max)),
+    ];
+    table::write(columns, out)?;
     Ok(())
 }
 
-/// A row per model; `index` is what `grazing eval --index` takes.
+/// Models of a file.
 fn models(entries: &[FitEntry], as_json: bool, out: &mut dyn Write) -> Result<(), CliError> {
     if as_json {
         let row = |(index, entry): (usize, &FitEntry)| {
@@ -77,22 +85,76 @@ fn models(entries: &[FitEntry], as_json: bool, out: &mut dyn Write) -> Result<()
         writeln!(out, "{:#}", json!(rows))?;
         return Ok(());
     }
-    let material = |entry: &FitEntry| entry.material.clone().unwrap_or("–".into());
-    let width = entries.iter().map(|entry| material(entry).chars().count());
-    let width = width.chain([8]).max().unwrap_or(0);
-    writeln!(out, "index  {:width$}  model        fresnel  E", "material")?;
-    for (index, entry) in entries.iter().enumerate() {
-        let error = entry
-            .error
-            .map_or("–".into(), |error| format!("{error:.6}"));
-        let (model, fresnel) = (entry.brdf.model.key, entry.brdf.fresnel.key());
-        let material = material(entry);
-        writeln!(
-            out,
-            "{index:>5}  {material:width$}  {model:11}  {fresnel:7}  {error}"
-        )?;
+    let rows: Vec<ModelRow> = entries
+        .iter()
+        .map(|entry| ModelRow {
+            material: entry.material.clone(),
+            path: entry.source.as_ref().map(|source| source.path.clone()),
+            brdf: entry.brdf,
+            error: entry.error,
+        })
+        .collect();
+    Ok(write_models(&rows, out)?)
+}
+
+/// A row of the table of models.
+pub(super) struct ModelRow {
+    /// Name of the material; `None` where there is none.
+    pub material: Option<String>,
+    /// Measured file, which tells the material from others of the name.
+    pub path: Option<PathBuf>,
+    /// The model.
+    pub brdf: Brdf,
+    /// E of the model; `None` where it is not known.
+    pub error: Option<f64>,
+}
+
+/// Writes a table of models, a row for each; `index` is what `grazing eval --index` takes.
+pub(super) fn write_models(rows: &[ModelRow], out: &mut dyn Write) -> io::Result<()> {
+    let keys = |key: fn(&ModelRow) -> &str| {
+        Column::Text(rows.iter().map(|row| key(row).to_owned()).collect())
+    };
+    let mut columns = vec![
+        (
+            "index",
+            Column::Numbers(
+                (0..rows.len())
+                    .map(|index| Some(index.to_string()))
+                    .collect(),
+            ),
+        ),
+        ("material", Column::Text(names(rows))),
+        ("model", keys(|row| row.brdf.model.key)),
+        ("fresnel", keys(|row| row.brdf.fresnel.key())),
+        (
+            "E",
+            Column::Numbers(
+                rows.iter()
+                    .map(|row| row.error.map(|error| format!("{error:.6}")))
+                    .collect(),
+            ),
+        ),
+    ];
+    for param in params::ALL.iter().filter(|param| !param.id.is_color()) {
+        let value = |row: &ModelRow| {
+            let value = row.brdf.params.get(param.id).first()?;
+            row.brdf.uses(param.id).then(|| six_digits(*value))
+        };
+        columns.push((param.key, Column::Numbers(rows.iter().map(value).collect())));
     }
-    Ok(())
+    table::write(columns, out)
+}
+
+/// Names of the materials, told apart by their folders where several have the same one.
+fn names(rows: &[ModelRow]) -> Vec<String> {
+    let named: Vec<_> = rows
+        .iter()
+        .map(|row| {
+            let name = row.material.clone().unwrap_or_else(|| "–".into());
+            (name, row.path.clone())
+        })
+        .collect();
+    told_apart(&named)
 }
 
 /// Six significant digits, which is what an f32 holds.

@@ -10,6 +10,7 @@ mod fit;
 mod info;
 mod render;
 mod sample;
+mod table;
 
 use crate::files::FileError;
 use clap::error::ErrorKind as UsageError;

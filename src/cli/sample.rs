@@ -2,6 +2,7 @@
 
 use super::CliError;
 use crate::files::write_atomically;
+use crate::keys;
 use crate::measured::{SAMPLES, SyntheticMaterial, merl};
 use serde_json::json;
 use std::io::Write;
@@ -33,9 +34,10 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<(), CliError> {
     };
     let Some(sample) = SyntheticMaterial::by_key(name) else {
         let known: Vec<_> = SAMPLES.iter().map(|sample| sample.key).collect();
+        let proposal = keys::did_you_mean(name, known.iter().copied());
         let known = known.join(", ");
         return Err(CliError::Other(format!(
-            "unknown sample {name:?}; expected one of {known}"
+            "unknown sample {name:?}; expected one of {known}{proposal}"
         )));
     };
     let table = sample.synthesize();

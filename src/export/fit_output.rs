@@ -10,6 +10,7 @@ use crate::figure::subject::{Source, Subject};
 use crate::fit::error_map::{Bin, DIRECTION_BINS, ErrorMap, error_map};
 use crate::fit::landscape::{self, Eta, Landscape, landscape};
 use crate::fit::{Problem, ProblemError, Weight};
+use crate::keys;
 use crate::measured::Table;
 use crate::measured::grid::THETA_H_BINS;
 use std::ops::ControlFlow;
@@ -99,8 +100,9 @@ fn weight(key: &str) -> Result<Weight, ExportError> {
 }
 
 fn unknown(what: &str, key: &str, expected: &str) -> ExportError {
+    let proposal = keys::did_you_mean(key, expected.split(", "));
     ExportError::Other(format!(
-        "unknown {what} {key:?}; expected one of {expected}"
+        "unknown {what} {key:?}; expected one of {expected}{proposal}"
     ))
 }
 

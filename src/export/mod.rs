@@ -9,6 +9,7 @@
 
 mod error;
 pub mod fit_output;
+pub mod fonts;
 mod prepare;
 pub mod preset;
 mod spec;

@@ -2,13 +2,16 @@
 
 use super::error::ExportError;
 use super::fit_output;
+use super::fonts;
 use super::spec::{FigureSpec, SubjectLook, SubjectSource, SubjectSpec};
 use crate::figure::fit_output::FitOutput;
 use crate::figure::page::{Page, draw};
 use crate::figure::subject::{Look, Source, Subject};
+use crate::figure::write::font;
 use crate::files::fits::SourceFile;
 use crate::files::{self, FileError};
-use crate::measured::{Lookup, SyntheticMaterial, Table};
+use crate::keys;
+use crate::measured::{Lookup, SAMPLES, SyntheticMaterial, Table};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -111,8 +114,9 @@ pub fn open_from_files(
                 return Ok(Arc::clone(table));
             }
             let sample = SyntheticMaterial::by_key(key).ok_or_else(|| {
+                let proposal = keys::did_you_mean(key, SAMPLES.iter().map(|sample| sample.key));
                 ExportError::Other(format!(
-                    "unknown sample {key:?}; `grazing sample --list` shows them"
+                    "unknown sample {key:?}; `grazing sample --list` shows them{proposal}"
                 ))
             })?;
             let table = Arc::new(sample.synthesize());
@@ -143,11 +147,14 @@ impl SubjectSource {
 }
 
 impl FigureSpec {
-    /// Draws it from what [`prepare`] has brought.
+    /// Draws it from what [`prepare`] has brought, with fonts of the system for letters that the font of figures lacks.
     ///
     /// # Errors
     /// One sentence.
     pub fn draw(&self, prepared: &Prepared) -> Result<Page, ExportError> {
-        draw(&self.page(), &prepared.subjects, &prepared.made).map_err(ExportError::Other)
+        let page = draw(&self.page(), &prepared.subjects, &prepared.made);
+        let mut page = page.map_err(ExportError::Other)?;
+        page.paper.fallback = fonts::for_letters(&font::lacking(&page.paper.drawing, &[]));
+        Ok(page)
     }
 }

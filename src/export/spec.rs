@@ -5,6 +5,7 @@ use crate::figure::page::{PageSpec, RowSpec, Style};
 use crate::figure::subject::Look;
 use crate::files::fits::SourceFile;
 use crate::files::{self, FileError};
+use crate::keys;
 use crate::measured::Lookup;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -134,7 +135,8 @@ impl FigureSpec {
             return Err("this is no figure: \"rows\" is missing; expected a .figure.json that Grazing has written".into());
         }
         // From the text again: an error in it says line and column.
-        serde_json::from_str(text).map_err(|error| format!("not a figure: {error}"))
+        serde_json::from_str(text)
+            .map_err(|error| format!("not a figure: {}", keys::with_proposal(&error)))
     }
 
     /// Reads a figure from a file.
@@ -150,6 +152,11 @@ impl FigureSpec {
     pub fn to_json(&self) -> String {
         // Plain data: there is nothing that cannot be written.
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
+    }
+
+    /// Whether a file has this very text.
+    pub fn is_in(&self, path: &Path) -> bool {
+        files::read_text(path).is_ok_and(|text| text == self.to_json())
     }
 
     /// The figure as it is read back from its file, where angles are rounded: what is drawn now and what is drawn from

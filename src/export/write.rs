@@ -5,11 +5,12 @@ use super::prepare::Prepared;
 use super::spec::{FigureSpec, spec_beside};
 use crate::figure::page::{Page, only_sphere};
 use crate::figure::sphere_image::render_part;
-use crate::figure::write::{pdf, raster, svg};
+use crate::figure::write::{font, pdf, raster, svg};
 use crate::files::{self, write_atomically};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 use std::io::Cursor;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// File format of a figure.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -60,6 +61,11 @@ impl FigureFormat {
         }
     }
 
+    /// Whether letters are drawn in it.
+    fn has_text(self) -> bool {
+        matches!(self, Self::Svg | Self::Pdf | Self::Png)
+    }
+
     /// The format that the name of a file says.
     pub fn of_path(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
@@ -108,29 +114,48 @@ fn exr(spec: &FigureSpec, prepared: &Prepared, dpi: f64) -> Result<Vec<u8>, Stri
     Ok(bytes.into_inner())
 }
 
-/// Draws a figure, writes it and, beside it, its spec. Files that are there are refused unless `force`. `kept` is a spec that is
-/// left as it is, the one that is drawn.
+/// Draws a figure, writes it in one or several formats and, beside each file, its spec. Files that are there are refused
+/// unless `force`, before anything is written; a spec that is there already with the same bytes is no conflict. `kept` is a
+/// spec that is left as it is, the one that is drawn. Gives back the letters that no font has, where such are drawn.
 ///
 /// # Errors
 /// One line with the path last.
 pub fn write_figure(
-    path: &Path,
-    format: FigureFormat,
+    outputs: &[(PathBuf, FigureFormat)],
     (spec, prepared): (&FigureSpec, &Prepared),
     force: bool,
     kept: Option<&Path>,
-) -> Result<(), ExportError> {
-    let beside = spec_beside(path);
-    let keep = kept.is_some_and(|kept| files::place(kept) == files::place(&beside));
-    if !keep {
-        files::check_writable(&beside, force)?;
+) -> Result<BTreeSet<char>, ExportError> {
+    let kept = kept.map(files::place);
+    let mut beside: Vec<PathBuf> = Vec::new();
+    for (path, _) in outputs {
+        files::check_writable(path, force)?;
+        let spec_path = spec_beside(path);
+        let place = files::place(&spec_path);
+        let known = beside.iter().any(|other| files::place(other) == place);
+        if known || kept.as_ref() == Some(&place) || spec.is_in(&spec_path) {
+            continue;
+        }
+        files::check_writable(&spec_path, force)?;
+        beside.push(spec_path);
     }
     let page = spec.draw(prepared)?;
-    let bytes = format.bytes(spec, prepared, &page)?;
-    write_atomically(path, force, |file| file.write_all(&bytes))?;
-    if !keep {
-        let text = spec.to_json();
-        write_atomically(&beside, force, |file| file.write_all(text.as_bytes()))?;
+    let bytes = |(path, format): &(PathBuf, FigureFormat)| {
+        Ok((path.clone(), format.bytes(spec, prepared, &page)?))
+    };
+    let figures: Vec<_> = outputs
+        .iter()
+        .map(bytes)
+        .collect::<Result<_, ExportError>>()?;
+    let specs = beside
+        .into_iter()
+        .map(|path| (path, spec.to_json().into_bytes()));
+    for (path, bytes) in figures.into_iter().chain(specs) {
+        write_atomically(&path, force, |file| file.write_all(&bytes))?;
     }
-    Ok(())
+    Ok(if outputs.iter().any(|(_, format)| format.has_text()) {
+        font::lacking(&page.paper.drawing, &page.paper.fallback)
+    } else {
+        BTreeSet::new()
+    })
 }

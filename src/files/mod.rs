@@ -6,6 +6,7 @@ mod error;
 pub mod fits;
 pub mod folder;
 mod model_export;
+pub mod names;
 mod open;
 pub mod path_text;
 mod paths;
@@ -19,5 +20,5 @@ pub use open::{
     Json, OnProgress, OpenedSource, identify, open_json, open_measured, open_model, open_models,
     open_source, open_table, read_text,
 };
-pub use paths::{absolute, last_name, material_name, place};
+pub use paths::{absolute, last_name, material_name, named_place, place};
 pub use write::{check_writable, write_atomically};

@@ -14,6 +14,12 @@ pub fn place(path: &Path) -> PathBuf {
     if let Ok(place) = path.canonicalize() {
         return place;
     }
+    named_place(&path)
+}
+
+/// Canonical path of the folder with the name of the file as it is given: equal for two paths that lead to the same name.
+pub fn named_place(path: &Path) -> PathBuf {
+    let path = absolute(path);
     match (
         path.parent().and_then(|folder| folder.canonicalize().ok()),
         path.file_name(),

@@ -1,5 +1,6 @@
 //! Driving the real window by accessible names.
 
+use super::font::font;
 use super::wait;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
@@ -12,8 +13,9 @@ use grazing::app::state::prefs::{FitOnOpening, Prefs};
 use grazing::app::state::view_settings::Settings;
 use grazing::app::{App, Picker, WindowOptions};
 use grazing::brdf::ParamId;
+use grazing::export::fonts::look_in;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Once};
 
 pub type Window = Harness<'static, App>;
 
@@ -73,13 +75,25 @@ pub fn window_of(options: WindowOptions) -> Window {
     built(Harness::builder(), options)
 }
 
-/// The same, where texts may have characters that no font has: boxes stand for them, as in the program. Elsewhere such
-/// a character fails the test.
+/// The same, where texts may have characters that the fonts of the window lack: boxes stand for them until a font is found,
+/// as in the program. Elsewhere such a character fails the test.
 pub fn window_with_boxes(options: WindowOptions) -> Window {
     built(Harness::builder().allow_missing_glyphs(), options)
 }
 
+/// Fonts that are found are these and not those of the machine.
+fn find_no_other_fonts() {
+    static WRITTEN: Once = Once::new();
+    WRITTEN.call_once(|| {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fonts of windows");
+        std::fs::create_dir_all(&folder).expect("a folder");
+        std::fs::write(folder.join("plantation.ttf"), font()).expect("is written");
+        look_in(folder);
+    });
+}
+
 fn built(builder: HarnessBuilder<App>, options: WindowOptions) -> Window {
+    find_no_other_fonts();
     let mut window = builder
         .with_size([1280.0, 800.0])
         .with_step_dt(0.03)

@@ -187,6 +187,8 @@ fn samples_are_listed_written_and_not_overwritten() {
         "no directory",
     );
 
+    let unknown = grazing(&[&"sample", &"violet-flet", &"-o", &path]);
+    assert!(stderr(&unknown).ends_with("; did you mean `violet-felt`?\n"));
     let unknown = grazing(&[&"sample", &"chrome", &"-o", &path]);
     assert_eq!(unknown.status.code(), Some(1));
     assert!(stderr(&unknown).contains("expected one of"));

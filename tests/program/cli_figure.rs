@@ -293,6 +293,100 @@ fn what_is_there_is_not_replaced_unasked() {
     );
 }
 
+#[test]
+fn a_figure_is_written_in_several_formats_or_in_none() {
+    let folder = Folder::new();
+    let (_, fits) = material(&folder);
+    let [svg, pdf, csv] = ["svg", "pdf", "csv"].map(|end| folder.path(format!("lobes.{end}")));
+    let both = |first: &Path, second: &Path, preset: &str| {
+        grazing(&[
+            &"figure",
+            &"--preset",
+            &preset,
+            &fits,
+            &"-o",
+            &first,
+            &"-o",
+            &second,
+        ])
+    };
+    succeeded(&both(&svg, &pdf, "lobes"));
+    let spec = folder.path("lobes.figure.json");
+    let drawn = fs::read(&spec).expect("a spec");
+    // The same figure once more in another format: its spec is the one that is there.
+    succeeded(&figure(&fits, &csv, "--preset lobes"));
+    assert_eq!(fs::read(&spec).expect("a spec"), drawn);
+    let lone = folder.path("again.pdf");
+    succeeded(&figure(&fits, &lone, "--preset lobes"));
+    assert!(fs::read(&lone).expect("a PDF") == fs::read(&pdf).expect("a PDF"));
+    // Planted: another figure under this name.
+    let png = folder.path("lobes.png");
+    let other = figure(&fits, &png, "--preset lobes --theta-i 10");
+    failed(&other, &spec, "exists already");
+    assert!(!png.exists() && fs::read(&spec).expect("a spec") == drawn);
+    // One of two cannot be written: by its place, by its spec, by what is on it.
+    let fresh = folder.path("fresh.svg");
+    failed(&both(&fresh, &pdf, "lobes"), &pdf, "exists already");
+    failed(&both(&fresh, &png, "slices"), &spec, "exists already");
+    let exr = both(&fresh, &folder.path("fresh.exr"), "lobes");
+    assert!(stderr(&exr).contains("EXR holds one sphere"), "{exr:?}");
+    assert!(!fresh.exists() && !folder.path("fresh.figure.json").exists());
+    let twice = both(&fresh, &fresh, "lobes");
+    assert_eq!(twice.status.code(), Some(2));
+    assert!(stderr(&twice).contains("given twice"), "{twice:?}");
+}
+
+#[test]
+fn materials_of_the_same_bytes_or_the_same_name_are_all_drawn() {
+    let folder = Folder::new();
+    let (data, fits) = material(&folder);
+    for name in ["old", "new"] {
+        fs::create_dir(folder.path(name)).expect("a folder");
+    }
+    let copies = ["old/lacquer.binary", "new/lacquer.binary", "copy.binary"];
+    for copy in copies {
+        fs::hard_link(&data, folder.path(copy)).expect("a second name");
+    }
+    // Another name of the same file.
+    std::os::unix::fs::symlink("copy.binary", folder.path("link.binary")).expect("a link");
+    let sha256 = succeeded(
+        &Command::new("sha256sum")
+            .arg(&data)
+            .output()
+            .expect("sha256sum"),
+    );
+    let sha256 = sha256.split_whitespace().next().expect("a sum");
+    let one = fs::read_to_string(&fits).expect("fits");
+    let all: Vec<Value> = copies
+        .iter()
+        .chain(&["link.binary"])
+        .flat_map(|copy| {
+            let mut fits: Vec<Value> = serde_json::from_str(&one).expect("JSON");
+            for fit in &mut fits {
+                fit["source"] = serde_json::json!({"path": copy, "sha256": sha256});
+            }
+            fits
+        })
+        .collect();
+    let fits = folder.file("all.json", Value::from(all).to_string());
+    let out = folder.path("all.svg");
+    succeeded(&figure(&fits, &out, "--preset lobes"));
+    let spec = fs::read_to_string(folder.path("all.figure.json")).expect("a spec");
+    let spec: Value = serde_json::from_str(&spec).expect("JSON");
+    let headings: Vec<&Value> = spec["rows"]
+        .as_array()
+        .expect("rows")
+        .iter()
+        .map(|row| &row["panels"][0]["heading"])
+        .collect();
+    assert_eq!(headings, ["old/lacquer", "new/lacquer", "copy", "link"]);
+    let labels = spec["subjects"].as_array().expect("subjects");
+    let labels: Vec<&str> = labels.iter().filter_map(|s| s["label"].as_str()).collect();
+    for name in ["old/lacquer", "new/lacquer, Combined", "copy, Combined"] {
+        assert!(labels.contains(&name), "{labels:?}");
+    }
+}
+
 /// Temporary files of a write under way, with bytes in them.
 fn begun(folder: &Folder) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder.root()).expect("a folder");
@@ -412,6 +506,7 @@ fn wrong_options_and_files_have_one_line_each() {
     let lobes = r#"{"panels": [{"subjects": [], "view": {"lobes": {"theta": [3]}}}]}"#;
     let text = format!(r#"{{"subjects": [], "rows": [{lobes}]}}"#);
     fails(&spec(&text), "", "unknown field `theta`");
+    fails(&spec(&text), "", "; did you mean `theta_i`?");
     let survey = r#"{"panels": [{"subjects": [], "view": {"landscape": {}}}]}"#;
     let text = format!(r#"{{"subjects": [], "rows": [{survey}]}}"#);
     fails(&spec(&text), "", "needs a measured material");

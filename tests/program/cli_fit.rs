@@ -254,6 +254,46 @@ fn csv_agrees(fits: &[Value], text: &str) {
     }
 }
 
+#[test]
+fn the_table_of_info_aligns_and_tells_materials_apart() {
+    let folder = Folder::new();
+    let long = "x".repeat(3000);
+    let fit = |material: &str, path: &str, s: f64, error: f64| {
+        serde_json::json!({
+            "material": material, "source": {"path": path}, "model": "phong", "fresnel": "none",
+            "rho_d": [0, 0, 0], "k_s": [1, 1, 1], "s": s, "error": error,
+        })
+    };
+    let fits = [
+        fit("steel", "/data/old/steel.binary", 7.5, 0.25),
+        fit("steel", "/data/new/steel.binary", 120.0, 1.5),
+        fit(&long, "/data/x.binary", 1.0, 0.125),
+    ];
+    let path = folder.file("fits.json", serde_json::json!(fits).to_string());
+    let text = succeeded(&grazing(&[&"info", &path]));
+    let lines: Vec<&str> = text.lines().collect();
+    assert!(
+        lines[1].contains("old/steel ") && lines[2].contains("new/steel "),
+        "{text}"
+    );
+    assert!(
+        lines.iter().all(|line| line.chars().count() < 100),
+        "{text}"
+    );
+    // E and s at their points, and each under its head.
+    let point = |line: &str, k: usize| {
+        let before = line.chars().enumerate().filter(|(_, c)| *c == '.');
+        before.map(|(at, _)| at).nth(k)
+    };
+    for k in 0..2 {
+        let at: Vec<_> = lines[1..].iter().map(|line| point(line, k)).collect();
+        assert!(at[0].is_some() && at.iter().all(|x| *x == at[0]), "{text}");
+    }
+    let head = |word: &str| lines[0].find(word).expect("a head");
+    assert!(head("index") < head("material") && head("material") < head("model"));
+    assert!(lines[1].contains("phong  none"), "{text}");
+}
+
 /// `info` lists the fits with the index under which `eval` takes them; `eval` gives the model's own numbers.
 fn listed_and_evaluated(folder: &Folder, path: &Path, fits: &[Value]) {
     let text = succeeded(&grazing(&[&"info", &path]));
@@ -483,6 +523,8 @@ fn every_bad_option_has_its_line() {
             "--weight heavy",
             "possible values: cells, solid-angle, cosine",
         ),
+        ("--start alhpa=0.5", "; did you mean `alpha`?"),
+        ("--hold ks=1", "; did you mean `k_s`?"),
         ("--threads 0", "0 is not in 1..=1024"),
         ("--threads many", "invalid digit"),
         ("-o same --csv same", "-o and --csv name the same file"),

@@ -3,6 +3,7 @@
 #[path = "../common"]
 mod common {
     pub mod folder;
+    pub mod font;
     pub mod merl;
     pub mod program;
     pub mod tables;
@@ -13,6 +14,7 @@ mod cli_export;
 mod cli_figure;
 mod cli_fit;
 mod cli_render;
+mod fonts;
 mod odd_names;
 mod startup;
 mod views;

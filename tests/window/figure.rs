@@ -87,8 +87,8 @@ fn the_window_and_the_command_write_the_same_bytes() {
         let theta_i = &mut value["rows"][0]["panels"][0]["view"]["lobes"]["theta_i"][0];
         assert_eq!(*theta_i, 30.0);
         *theta_i = 31.0.into();
-        fs::write(&spec, value.to_string()).expect("is written");
-        draw_again(&spec, &again);
+        let planted = folder.file("planted.figure.json", value.to_string());
+        draw_again(&planted, &again);
         assert!(fs::read(&again).expect("a figure") != first, "{format:?}");
     }
 }
@@ -174,6 +174,58 @@ fn a_place_that_cannot_be_written_to_is_named_and_a_foreign_file_is_kept() {
     export(folder.path("lobes.svg"), "is no figure");
     assert_eq!(fs::read(&mine).expect("is there"), b"my own notes");
     assert!(!folder.path("lobes.svg").exists());
+    // The spec of another figure is kept too, but where that figure is replaced.
+    let mut text = String::new();
+    for (name, wanted) in [
+        ("disc.svg", "Saved"),
+        ("disc.pdf", "Saved"),
+        ("disc.png", "the spec of another figure is there"),
+        ("disc.svg", "Saved"),
+    ] {
+        export(folder.path(name), wanted);
+        let spec = folder.path("disc.figure.json");
+        let now = fs::read_to_string(&spec).expect("a spec");
+        if name == "disc.pdf" {
+            assert_eq!(now, text);
+            // Another figure of the same name from now on.
+            fs::write(&spec, now.replace("\"font_pt\": 8.0", "\"font_pt\": 9.0"))
+                .expect("is written");
+        } else if name == "disc.png" {
+            assert!(now != text && !folder.path(name).exists());
+        } else if !text.is_empty() {
+            assert_eq!(now, text);
+        }
+        text = if text.is_empty() { now } else { text };
+    }
+}
+
+#[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
+fn a_png_of_a_tile_says_how_large_it_is_on_paper() {
+    let folder = Folder::new();
+    for dpi in [96.0, 250.0] {
+        let path = folder.path(format!("lobes-{dpi}.png"));
+        let mut window = saving_to(path.clone());
+        let mut prefs = window.state().state().prefs.figure.clone();
+        prefs.format = FigureFormat::Png;
+        (prefs.style.dpi, prefs.style.width_mm) = (dpi, 100.0);
+        send(&mut window, Msg::Figure(FigureMsg::Set(prefs)));
+        run(&mut window, Command::ExportFigure);
+        send(
+            &mut window,
+            Msg::Figure(FigureMsg::Choose(vec![ViewId::Lobes])),
+        );
+        send(&mut window, Msg::Figure(FigureMsg::Export));
+        settle(&mut window, |state| said(state, "Saved"));
+        let file = std::io::BufReader::new(fs::File::open(&path).expect("a PNG"));
+        let reader = png::Decoder::new(file).read_info().expect("a header");
+        let density = reader.info().pixel_dims.expect("a resolution");
+        assert_eq!(density.unit, png::Unit::Meter);
+        assert_eq!(density.xppu, (dpi / 0.0254).round() as u32);
+        // Together with its pixels: 100 mm, to a pixel.
+        let metres = f64::from(reader.info().width) / f64::from(density.xppu);
+        assert!((metres - 0.1).abs() < 0.0254 / dpi, "{metres}");
+    }
 }
 
 /// Moves the pointer onto a view and copies; what was copied, once it is there.

@@ -4,6 +4,7 @@
 #[path = "../common"]
 mod common {
     pub mod folder;
+    pub mod font;
     pub mod gpu;
     pub mod merl;
     pub mod random;
@@ -20,6 +21,7 @@ mod export;
 mod figure;
 mod first;
 mod fit;
+mod fonts;
 mod guide;
 mod image;
 mod jobs;

@@ -145,6 +145,30 @@ fn an_open_material_takes_the_model_as_one_step() {
 
 #[test]
 #[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
+fn two_materials_of_the_same_bytes_are_both_opened() {
+    let folder = Folder::new();
+    let [gold, brass, fits] =
+        ["gold.binary", "brass.binary", "fits.json"].map(|name| folder.path(name));
+    write_merl(&gold);
+    write_merl(&brass);
+    let fit = |path: &Path, name, s| record(name, Some(source_of(path)), s, 0.1);
+    write_fits(
+        &fits,
+        &[fit(&gold, "gold", 77.0), fit(&brass, "brass", 78.0)],
+    );
+    let both = [("gold", 77.0, true), ("brass", 78.0, true)];
+    let window = window(&[&fits]);
+    assert_eq!(shown(window.state().state()), both);
+    // Also where one of them is open before.
+    let mut window = self::window(&[&gold]);
+    open(&mut window, &fits);
+    let state = window.state().state();
+    assert_eq!(shown(state), both);
+    assert_eq!(state.notices, []);
+}
+
+#[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_measured_file_that_is_missing_or_changed_is_named() {
     let folder = Folder::new();
     let [gold, fits] = ["gold.binary", "fits.json"].map(|name| folder.path(name));

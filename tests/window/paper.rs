@@ -42,6 +42,7 @@ fn on_paper(drawing: &Drawing, palette: Palette) -> Picture {
         drawing: drawing.clone(),
         palette,
         ground: Some([255; 3]),
+        fallback: Vec::new(),
         title: String::new(),
     };
     let picture = pixels(&paper, 72.0).expect("pixels");

@@ -9,6 +9,7 @@ pub mod autosave;
 pub mod dialogs;
 pub mod fit;
 pub mod folder_fit;
+pub mod fonts;
 pub mod library;
 pub mod load;
 pub mod scan;

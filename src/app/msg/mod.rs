@@ -26,11 +26,13 @@ use crate::app::state::side_panels::SideTab;
 use crate::app::state::subject_key::SubjectKey;
 use crate::app::state::view_settings::{AnySettings, Settings};
 use crate::brdf::{Brdf, ParamId};
+use crate::figure::write::font::FallbackFont;
 use crate::files::fits::MaterialFits;
 use crate::files::{ModelFormat, SourceFile};
 use crate::fit::initial_guess;
 use crate::geom::Rgb;
 use crate::measured::Table;
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -116,6 +118,13 @@ pub enum Msg {
     ShowTab(SideTab),
     /// Say something.
     Notify(Severity, String),
+    /// Letters are shown that no font has.
+    Letters(BTreeSet<char>),
+    /// A job has looked for fonts: those found, and the letters that none has.
+    FontsFound {
+        fonts: Vec<FallbackFont>,
+        lacking: BTreeSet<char>,
+    },
     /// Close a notice.
     Dismiss(u64),
     /// No button and no key is held: the gesture is over.
@@ -203,6 +212,10 @@ pub enum Task {
     ExportModel(ModelExport),
     /// Ask where to, and write a picture of the window.
     SavePicture,
+    /// Look for fonts that have these letters, in the background.
+    FindFonts(BTreeSet<char>),
+    /// Draw letters with these fonts too.
+    AddFonts(Vec<FallbackFont>),
     /// Put this on the clipboard.
     Copy(String),
     /// Close the window.

@@ -19,6 +19,7 @@ use crate::figure::write::raster::{Pixels, pixels};
 use crate::files::FileError;
 use crate::measured::Table;
 use std::ops::ControlFlow;
+use std::path::Path;
 use std::sync::Arc;
 
 /// Pictures in a preview have this many pixels to the inch at most: it is there sooner.
@@ -111,6 +112,7 @@ pub fn export(
     jobs: &Jobs,
     save: &Arc<SavePicker>,
 ) {
+    let sender = jobs.sender().clone();
     ask_and_do(jobs, save, name, move |path| {
         // The name may say another format than the dialog.
         let format = FigureFormat::of_path(&path).unwrap_or(format);
@@ -119,21 +121,39 @@ pub fn export(
             None => path.with_extension(format.extension()),
         };
         let beside = spec_beside(&path);
-        if beside.is_file() && FigureSpec::open(&beside).is_err() {
-            let what = "a file with the name of the figure's spec is there and is no figure; choose another name";
+        if let Some(what) = conflict(&drawable.spec, &path, &beside) {
             return Err(FileError::new(&beside, what).to_string());
         }
         let go_on = &mut || ControlFlow::Continue(());
         // The dialog has asked about an existing file.
         let write = |prepared: Prepared| {
             let figure = (&drawable.spec, &prepared);
-            write_figure(&path, format, figure, true, None)
+            write_figure(&[(path.clone(), format)], figure, true, None)
         };
-        prepared(&drawable, go_on)
+        let lacking = prepared(&drawable, go_on)
             .and_then(write)
             .map_err(|error| error.to_string())?;
+        if !lacking.is_empty() {
+            sender.send(Msg::Letters(lacking));
+        }
         Ok(path)
     });
+}
+
+/// Why the spec of a figure cannot be written beside it, if so. A spec goes with its figure, and the dialog has asked about
+/// a figure that is replaced.
+fn conflict(spec: &FigureSpec, figure: &Path, beside: &Path) -> Option<&'static str> {
+    if !beside.is_file() || spec.is_in(beside) {
+        None
+    } else if FigureSpec::open(beside).is_err() {
+        Some(
+            "a file with the name of the figure's spec is there and is no figure; choose another name",
+        )
+    } else if !figure.exists() {
+        Some("the spec of another figure is there under this name; choose another name")
+    } else {
+        None
+    }
 }
 
 /// The name that a dialog proposes for a figure of these views.

@@ -41,7 +41,7 @@ pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
         Command::ExportModel(format) => {
             let export = state.current().map(|(material, opened)| ModelExport {
                 format,
-                material: material.name.clone(),
+                material: material.own_name.clone(),
                 brdf: opened.brdf,
             });
             return export.map(Task::ExportModel).into_iter().collect();

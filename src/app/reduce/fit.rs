@@ -320,7 +320,7 @@ pub(crate) fn keep_fit(state: &mut State, material: MaterialId, mut fit: KeptFit
         None => material.fits.push(fit),
     }
     if let (Some(path), Some(kept)) = (material.file(), material.fit(variant)) {
-        let record = kept.record(material.name.clone(), material.source.clone());
+        let record = kept.record(material.own_name.clone(), material.source.clone());
         state.library.keep_fit(&path, record);
     }
 }

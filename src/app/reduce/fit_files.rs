@@ -16,8 +16,8 @@ use std::path::Path;
 pub(crate) fn open(state: &mut State, path: &Path, all: Vec<MaterialFits>) -> Vec<Task> {
     state.prefs.remember(path.to_owned());
     let (mut tasks, mut over, mut without) = (Vec::new(), Vec::new(), Vec::new());
-    for fits in all {
-        match (find_open(state, &fits), fits.found.clone()) {
+    for (fits, open) in with_open(state, all) {
+        match (open, fits.found.clone()) {
             (Some(index), _) => over.push((index, fits)),
             (None, Some(file)) => {
                 let fits = Some(Box::new(fits));
@@ -48,7 +48,7 @@ pub(crate) fn arrived(state: &mut State, id: MaterialId, fits: &MaterialFits) {
     };
     let (name, source) = (name.clone(), source.clone());
     for record in fits.entries.iter().filter_map(|entry| entry.fit.as_ref()) {
-        if same_data(source.as_ref(), record.source.as_ref()) != Some(false) {
+        if data_agree(source.as_ref(), record.source.as_ref()) != Some(false) {
             fit::keep_fit(state, id, KeptFit::from(record));
         }
     }
@@ -64,34 +64,48 @@ pub(crate) fn arrived(state: &mut State, id: MaterialId, fits: &MaterialFits) {
 }
 
 /// Whether both are the same bytes; `None` where that is not known.
-pub(crate) fn same_data(a: Option<&SourceFile>, b: Option<&SourceFile>) -> Option<bool> {
+pub(crate) fn data_agree(a: Option<&SourceFile>, b: Option<&SourceFile>) -> Option<bool> {
     a?.same_data(b?)
 }
 
-/// The open material that the models belong to: the one from the same path, or with the same bytes, or, where the
-/// measured file is not to be found, of the same name.
-fn find_open(state: &State, fits: &MaterialFits) -> Option<usize> {
-    let find = |belongs: &dyn Fn(&Material) -> bool| {
-        state
-            .scene
-            .opened
-            .iter()
-            .position(|opened| state.materials.get(&opened.id).is_some_and(belongs))
-    };
-    let same_path = |material: &Material| {
-        let source = material.source.as_ref();
-        source.is_some_and(|source| fits.places.contains(&source.path))
-    };
-    let same_data = |material: &Material| {
-        let (Some(a), Some(b)) = (&material.source, &fits.source) else {
-            return false;
-        };
-        a.same_data(b) == Some(true)
-    };
-    let same_name = |material: &Material| fits.found.is_none() && material.name == fits.name;
-    find(&same_path)
-        .or_else(|| find(&same_data))
-        .or_else(|| find(&same_name))
+/// Whether models belong to an open material.
+type Belongs = fn(&MaterialFits, &Material) -> bool;
+
+/// Models with the position of the open material that they belong to: of the one from the same path; else of one with the
+/// same bytes, or of the same name, where the measured file is not to be found. Each open material takes the models of one,
+/// as two materials may have the same bytes or the same name.
+fn with_open(state: &State, all: Vec<MaterialFits>) -> Vec<(MaterialFits, Option<usize>)> {
+    let mut all: Vec<(MaterialFits, Option<usize>)> =
+        all.into_iter().map(|fits| (fits, None)).collect();
+    // By every path first, so that none is taken by a material that only looks like it.
+    for belongs in [same_path as Belongs, same_data, same_name] {
+        for at in 0..all.len() {
+            let taken = |index| all.iter().any(|(_, open)| *open == Some(index));
+            let fits = &all[at].0;
+            let mut open = state.scene.opened.iter().enumerate();
+            let found = open.find(|(index, opened)| {
+                let material = state.materials.get(&opened.id);
+                !taken(*index) && material.is_some_and(|material| belongs(fits, material))
+            });
+            let found = found.map(|(index, _)| index);
+            all[at].1 = all[at].1.or(found);
+        }
+    }
+    all
+}
+
+fn same_path(fits: &MaterialFits, material: &Material) -> bool {
+    let source = material.source.as_ref();
+    source.is_some_and(|source| fits.places.contains(&source.path))
+}
+
+fn same_data(fits: &MaterialFits, material: &Material) -> bool {
+    let copy = fits.found.is_none() || material.own_name == fits.name;
+    copy && data_agree(material.source.as_ref(), fits.source.as_ref()) == Some(true)
+}
+
+fn same_name(fits: &MaterialFits, material: &Material) -> bool {
+    fits.found.is_none() && material.own_name == fits.name
 }
 
 /// Gives open materials, by position, the best of their models: one step for the whole file.

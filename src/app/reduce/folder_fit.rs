@@ -126,7 +126,7 @@ fn keep(state: &mut State, path: &Path, fit: FitRecord) {
     let opened = index.and_then(|index| state.scene.opened.get(index));
     if let Some(id) = opened.map(|opened| opened.id) {
         let source = state.materials.get(&id).and_then(|m| m.source.as_ref());
-        if fit_files::same_data(source, fit.source.as_ref()) != Some(false) {
+        if fit_files::data_agree(source, fit.source.as_ref()) != Some(false) {
             keep_fit(state, id, KeptFit::from(&fit));
         }
     }

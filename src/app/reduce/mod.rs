@@ -7,9 +7,11 @@ pub mod fit;
 pub mod fit_files;
 pub mod folder_fit;
 pub mod lesson;
+pub mod letters;
 pub mod library;
 pub mod listing;
 pub mod memory;
+pub mod names;
 pub mod open_session;
 pub mod opening;
 pub mod opening_fit;
@@ -27,10 +29,11 @@ use crate::brdf::{Brdf, ParamId, Params};
 use crate::files::session::has_ending;
 use crate::geom::color::luminance;
 
-/// Changes the state. Whatever happened, what was opened is fitted in its turn, what is shown stays in memory, and the
-/// rest within its limit.
+/// Changes the state. Whatever happened, open materials have names of their own, what was opened is fitted in its turn,
+/// what is shown stays in memory, and the rest within its limit.
 pub fn apply(state: &mut State, msg: Msg) -> Vec<Task> {
     let mut tasks = change(state, msg);
+    names::tell_apart(state);
     tasks.extend(opening_fit::next(state));
     tasks.extend(memory::keep(state));
     tasks
@@ -133,6 +136,11 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
         Msg::Narrow(narrow) => state.prefs.panels.is_narrow = narrow,
         Msg::ShowTab(tab) => state.prefs.panels.tab = tab,
         Msg::Notify(level, text) => notify(state, level, text),
+        Msg::Letters(found) => return letters::look_for(state, found),
+        Msg::FontsFound { fonts, lacking } => {
+            letters::lacking(state, &lacking);
+            return vec![Task::AddFonts(fonts)];
+        }
         Msg::Dismiss(id) => state.notices.retain(|notice| notice.id != id),
         Msg::Settle => state.history.settle(&state.scene),
     }

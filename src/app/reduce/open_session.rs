@@ -118,6 +118,7 @@ fn add(state: &mut State, path: &Path, saved: &SavedMaterial, place: FilePlace) 
     let material = Material {
         fit_due: false,
         name: saved.name.clone(),
+        own_name: saved.name.clone(),
         origin,
         source,
         table: Table::unmeasured(),

@@ -74,7 +74,8 @@ pub(crate) fn add_material_at(
     state.materials.insert(
         id,
         Material {
-            name: loaded.name,
+            name: loaded.name.clone(),
+            own_name: loaded.name,
             origin,
             source: loaded.source,
             table: loaded.table,

@@ -217,7 +217,7 @@ fn take_back(state: &mut State, id: MaterialId, job: u64, result: Result<Loaded,
             } else {
                 "it was opened"
             };
-            let same = fit_files::same_data(loaded.source.as_ref(), material.source.as_ref());
+            let same = fit_files::data_agree(loaded.source.as_ref(), material.source.as_ref());
             material.table = loaded.table;
             material.presence = Presence::Loaded;
             if same == Some(false) {

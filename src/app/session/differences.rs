@@ -1,5 +1,6 @@
 //! Differences between a file and what was taken from it: what it says, against what is left of it.
 
+use crate::keys;
 use serde_json::Value;
 
 /// Places in a file, as keys with dots between them.
@@ -37,7 +38,15 @@ fn compare(given: &Value, kept: &Value, at: String, skip: &[String], found: &mut
                 match kept.get(key) {
                     Some(kept) => compare(value, kept, inside(key), skip, found),
                     None if skip.contains(&inside(key)) => {}
-                    None => found.unknown.push(inside(key)),
+                    None => {
+                        let known = kept.keys().map(String::as_str);
+                        let meant =
+                            keys::nearest(key, known.filter(|key| !given.contains_key(*key)));
+                        let proposal = meant.map_or_else(String::new, |meant| {
+                            format!(" (did you mean `{meant}`?)")
+                        });
+                        found.unknown.push(inside(key) + &proposal);
+                    }
                 }
             }
         }
@@ -73,6 +82,8 @@ mod tests {
         let found = differences(&given, &kept, &[]);
         assert_eq!(found.unknown, ["f"]);
         assert_eq!(found.changed, ["b.c.1", "e"]);
+        let misspelt = differences(&json!({"a": {"shwn": 1}}), &json!({"a": {"shown": 0}}), &[]);
+        assert_eq!(misspelt.unknown, ["a.shwn (did you mean `shown`?)"]);
         let found = differences(&given, &kept, &["b".into(), "f".into()]);
         assert_eq!(found.changed, ["e"]);
         assert!(found.unknown.is_empty());

@@ -10,6 +10,7 @@ use crate::app::state::views::VIEWS;
 use crate::brdf::{Brdf, Fresnel, MODELS, Params};
 use crate::files::path_text::PathText;
 use crate::files::session::KEY;
+use crate::keys;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::path::PathBuf;
@@ -81,8 +82,9 @@ impl Reader {
         match read {
             Ok(part) => Some(part),
             Err(error) => {
+                let said = keys::with_proposal(&error);
                 self.remarks
-                    .push(format!("\"{at}\" is not understood and left out: {error}"));
+                    .push(format!("\"{at}\" is not understood and left out: {said}"));
                 self.spoken_of.push(at);
                 None
             }

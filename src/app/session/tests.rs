@@ -102,6 +102,7 @@ fn add(state: &mut State, name: &str, origin: Origin, source: Option<SourceFile>
     let material = Material {
         fit_due: false,
         name: name.into(),
+        own_name: name.into(),
         origin,
         source,
         table: Table::unmeasured(),

@@ -69,12 +69,12 @@ fn material(state: &State, opened: &Opened) -> Option<SavedMaterial> {
         None => material.source.as_ref().map(SavedSource::from),
     };
     let fits = material.fits.iter().map(|kept| SavedFit {
-        record: kept.record(material.name.clone(), material.source.clone()),
+        record: kept.record(material.own_name.clone(), material.source.clone()),
         seconds: kept.seconds,
         overlaid: kept.overlaid,
     });
     Some(SavedMaterial {
-        name: material.name.clone(),
+        name: material.own_name.clone(),
         source,
         sample,
         model: SavedBrdf(live.map_or(opened.brdf, |live| live.brdf)),

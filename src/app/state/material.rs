@@ -25,8 +25,10 @@ pub enum Origin {
 /// A measured material in memory.
 #[derive(Clone, Debug)]
 pub struct Material {
-    /// Name on screen.
+    /// Name on screen; [`Self::own_name`], with a folder where another open material has that too.
     pub name: String,
+    /// Name that its file, sample or model has.
+    pub own_name: String,
     /// File or sample.
     pub origin: Origin,
     /// File it was read from, with its length and SHA-256; `None` for a sample and for a model without data.

@@ -11,6 +11,7 @@ pub mod job;
 pub mod layout;
 pub mod layout_check;
 pub mod lesson;
+pub mod letters;
 pub mod library;
 pub mod material;
 pub mod memory;
@@ -38,6 +39,7 @@ use crate::app::state::history::History;
 use crate::app::state::job::Job;
 use crate::app::state::layout::Tiles;
 use crate::app::state::lesson::LessonAt;
+use crate::app::state::letters::Letters;
 use crate::app::state::library::Library;
 use crate::app::state::material::{Material, MaterialId, Opened};
 use crate::app::state::notice::{Dialog, Notice};
@@ -106,6 +108,8 @@ pub struct State {
     pub views: FigureViews,
     /// Place of a learner in the lessons.
     pub lesson: Option<LessonAt>,
+    /// Letters that the fonts of the window lack.
+    pub letters: Letters,
     /// Jobs under way, the oldest first.
     pub jobs: Vec<Job>,
     /// Notices, the oldest first.

@@ -6,6 +6,7 @@ use crate::cli::fit::progress::Bar;
 use crate::export::preset::PresetMaterial;
 use crate::export::{OpenedTables, SubjectSource};
 use crate::files::fits;
+use crate::files::names::told_apart;
 use crate::files::{self, FileError};
 use crate::fit::options::NO_LIMIT;
 use crate::fit::{self, FitOptions, Problem, Variant, Weight};
@@ -35,8 +36,15 @@ pub(super) fn of_files(
                     add_fits(&mut found, path, &fits)?;
                 }
             }
-            None => drop(at(&mut found, &files::place(path))),
+            None => drop(at(&mut found, path)),
         }
+    }
+    let named: Vec<_> = found
+        .iter()
+        .map(|found| (found.name.clone(), Some(found.path.clone())))
+        .collect();
+    for (found, name) in found.iter_mut().zip(told_apart(&named)) {
+        found.name = name;
     }
     let mut bar = Bar::new(found.len(), variants);
     let mut materials = Vec::new();
@@ -48,13 +56,14 @@ pub(super) fn of_files(
     Ok(materials)
 }
 
-/// The place of a file among those found, which it is added to where it is new.
+/// The place of a file among those found, which it is added to where it is new. Two names of one file are two materials.
 fn at<'a>(found: &'a mut Vec<MaterialFiles>, path: &Path) -> &'a mut MaterialFiles {
+    let path = files::named_place(path);
     let index = found.iter().position(|found| found.path == path);
     let index = index.unwrap_or_else(|| {
         found.push(MaterialFiles {
-            path: path.to_owned(),
-            name: files::material_name(path),
+            path: path.clone(),
+            name: files::material_name(&path),
             models: Vec::new(),
         });
         found.len() - 1
@@ -74,7 +83,7 @@ fn add_fits(
         );
         return Err(FileError::new(path, what));
     };
-    let material = at(found, &files::place(file));
+    let material = at(found, file);
     // By ascending E: the first of a variant is its best.
     material
         .models

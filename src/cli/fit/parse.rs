@@ -2,6 +2,7 @@
 
 use crate::brdf::{Param, Params, params};
 use crate::fit::{Partial, Stage, StageSet};
+use crate::keys;
 
 /// A grazing limit in degrees.
 pub fn limit(text: &str) -> Result<f64, String> {
@@ -50,8 +51,9 @@ pub fn values(text: &str) -> Result<Partial, String> {
         };
         let key = key.trim();
         let Some(row) = params::ALL.iter().find(|row| row.key == key) else {
+            let proposal = keys::did_you_mean(key, params::ALL.map(|row| row.key));
             return Err(format!(
-                "there is no parameter {key:?}; expected one of {}",
+                "there is no parameter {key:?}; expected one of {}{proposal}",
                 all()
             ));
         };

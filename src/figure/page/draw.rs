@@ -97,6 +97,7 @@ pub fn draw(
             drawing: page,
             palette,
             ground: (!spec.style.transparent).then_some([255; 3]),
+            fallback: Vec::new(),
             title: title(&spec, subjects),
         },
         table: DataTable::joined(&tables),
@@ -292,7 +293,7 @@ impl<'a> PageLayout<'a> {
         for subject in named {
             let room = ((right - left) / font - SWATCH_EM).max(4.0);
             let name = elided(&subject.label, room);
-            let width = font * (SWATCH_EM + font::width_em(&name.plain()));
+            let width = font * (SWATCH_EM + font::width_em(&name.plain(), &[]));
             if x > left && x + width > right {
                 (x, _) = (left, rows.push(Vec::new()));
             }

@@ -15,6 +15,7 @@ pub mod svg;
 
 use super::drawing::Drawing;
 use super::palette::Palette;
+use font::FallbackFont;
 
 /// A drawing with what it is printed on.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +26,8 @@ pub struct Paper {
     pub palette: Palette,
     /// sRGB of the page; transparent without.
     pub ground: Option<[u8; 3]>,
+    /// Fonts that stand in for letters that the font of figures lacks.
+    pub fallback: Vec<FallbackFont>,
     /// One line for whoever looks at the file's properties or has it read out.
     pub title: String,
 }

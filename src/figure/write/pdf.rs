@@ -1,11 +1,12 @@
 //! A drawing as a PDF of one page. Text stays text, in a font that is embedded.
 
+use super::font::FallbackFont;
 use super::svg::HALO;
 use super::{CREATOR, Paper, font};
 use crate::figure::drawing::{Item, Label, Point};
 use crate::figure::palette::{Ink, Palette, Role};
-use krilla::Document;
 use krilla::color::rgb;
+use krilla::configure::{ConfigurationBuilder, PdfVersion};
 use krilla::geom::{Path, PathBuilder, Point as PdfPoint, Rect, Size, Transform};
 use krilla::image::Image;
 use krilla::metadata::Metadata;
@@ -14,6 +15,8 @@ use krilla::page::PageSettings;
 use krilla::paint::{Fill, LineJoin, Stroke, StrokeDash};
 use krilla::surface::Surface;
 use krilla::text::{Font, GlyphId, KrillaGlyph};
+use krilla::{Document, SerializeSettings};
+use std::sync::Arc;
 
 /// Why there is no PDF: one sentence.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -28,8 +31,8 @@ pub fn pdf(paper: &Paper) -> Result<Vec<u8>, PdfError> {
     let [width, height] = paper.drawing.size;
     let fail = |what: &str| PdfError(what.into());
     let page = PageSettings::from_wh(width, height).ok_or_else(|| fail("the page has no area"))?;
-    let font = Font::new(font::BYTES.into(), 0).ok_or_else(|| fail("the font cannot be read"))?;
-    let mut document = Document::new();
+    let fonts = Fonts::new(&paper.fallback).ok_or_else(|| fail("a font cannot be read"))?;
+    let mut document = Document::new_with(settings()?);
     document.set_metadata(
         Metadata::new()
             .title(paper.title.clone())
@@ -42,7 +45,7 @@ pub fn pdf(paper: &Paper) -> Result<Vec<u8>, PdfError> {
         shape(&mut surface, sheet, Some(fill([r, g, b, 255])), None);
     }
     for item in &paper.drawing.items {
-        draw(&mut surface, item, paper, &font);
+        draw(&mut surface, item, paper, &fonts);
     }
     surface.finish();
     page.finish();
@@ -51,7 +54,45 @@ pub fn pdf(paper: &Paper) -> Result<Vec<u8>, PdfError> {
         .map_err(|error| PdfError(format!("{error:?}")))
 }
 
-fn draw(surface: &mut Surface, item: &Item, paper: &Paper, font: &Font) {
+/// PDF 1.5: pdfTeX warns of what is newer than the documents that it makes, and nothing in a figure needs more. PDF 1.4
+/// would do, but has limits on numbers and lists that a large figure could meet.
+fn settings() -> Result<SerializeSettings, PdfError> {
+    let configuration = ConfigurationBuilder::new()
+        .with_version(PdfVersion::Pdf15)
+        .finish()
+        .map_err(|error| PdfError(format!("{error:?}")))?;
+    Ok(SerializeSettings {
+        configuration,
+        ..SerializeSettings::default()
+    })
+}
+
+/// The font of figures and those that stand in; only the letters in use are embedded.
+struct Fonts {
+    own: Font,
+    fallback: Vec<Font>,
+}
+
+impl Fonts {
+    /// `None` where one cannot be read.
+    fn new(fallback: &[FallbackFont]) -> Option<Self> {
+        let fallback = fallback.iter().map(|font| {
+            let data: Arc<dyn AsRef<[u8]> + Send + Sync> = font.data.clone();
+            Font::new(data.into(), font.index)
+        });
+        Some(Self {
+            own: Font::new(font::BYTES.into(), 0)?,
+            fallback: fallback.collect::<Option<_>>()?,
+        })
+    }
+
+    fn of(&self, glyph: &font::Glyph) -> &Font {
+        let found = glyph.font.and_then(|position| self.fallback.get(position));
+        found.unwrap_or(&self.own)
+    }
+}
+
+fn draw(surface: &mut Surface, item: &Item, paper: &Paper, fonts: &Fonts) {
     let palette = &paper.palette;
     match item {
         Item::Line {
@@ -81,7 +122,7 @@ fn draw(surface: &mut Surface, item: &Item, paper: &Paper, font: &Font) {
             let inside = fill(palette.resolve(*ink));
             shape(surface, circle(*center, *radius), Some(inside), rim);
         }
-        Item::Text(label) => text(surface, label, paper, font),
+        Item::Text(label) => text(surface, label, paper, fonts),
         Item::Image(picture) => {
             let ([left, top], [right, bottom]) = (picture.min, picture.max);
             let size = Size::from_wh(right - left, bottom - top);
@@ -96,8 +137,8 @@ fn draw(surface: &mut Surface, item: &Item, paper: &Paper, font: &Font) {
     }
 }
 
-fn text(surface: &mut Surface, label: &Label, paper: &Paper, font: &Font) {
-    let (runs, [min, max]) = font::placed(label);
+fn text(surface: &mut Surface, label: &Label, paper: &Paper, fonts: &Fonts) {
+    let (runs, [min, max]) = font::placed(label, &paper.fallback);
     let [x, y] = label.pos;
     surface.push_transform(&Transform::from_translate(x, y));
     surface.push_transform(&Transform::from_rotate(label.angle.to_degrees()));
@@ -110,27 +151,39 @@ fn text(surface: &mut Surface, label: &Label, paper: &Paper, font: &Font) {
     surface.set_stroke(None);
     surface.set_fill(Some(fill(paper.palette.resolve(label.ink))));
     for run in runs {
-        let glyphs: Vec<KrillaGlyph> = run
+        let letters: Vec<(char, font::Glyph)> = run
             .text
-            .char_indices()
-            .map(|(at, character)| {
-                let glyph = font::glyph(character);
-                KrillaGlyph {
-                    glyph_id: GlyphId::new(glyph.id),
-                    text_range: at..at + character.len_utf8(),
-                    x_advance: glyph.advance,
-                    x_offset: 0.0,
-                    y_offset: 0.0,
-                    y_advance: 0.0,
-                    location: None,
-                }
-            })
+            .chars()
+            .map(|letter| (letter, font::glyph(letter, &paper.fallback)))
             .collect();
-        let start = PdfPoint::from_xy(run.start[0], run.start[1]);
-        surface.draw_glyphs(start, &glyphs, font.clone(), run.text, run.size, false);
+        let [mut x, y] = run.start;
+        for part in letters.chunk_by(|(_, a), (_, b)| a.font == b.font) {
+            let (text, glyphs) = glyphs(part);
+            let font = fonts.of(&part[0].1).clone();
+            let start = PdfPoint::from_xy(x, y);
+            surface.draw_glyphs(start, &glyphs, font, &text, run.size, false);
+            x += run.size * part.iter().map(|(_, glyph)| glyph.advance).sum::<f32>();
+        }
     }
     surface.pop();
     surface.pop();
+}
+
+/// Letters of one font as a text and the glyphs of its characters.
+fn glyphs(letters: &[(char, font::Glyph)]) -> (String, Vec<KrillaGlyph>) {
+    let text: String = letters.iter().map(|(letter, _)| letter).collect();
+    let places = text.char_indices().map(|(at, c)| at..at + c.len_utf8());
+    let glyph = |((_, glyph), text_range): (&(char, font::Glyph), _)| KrillaGlyph {
+        glyph_id: GlyphId::new(glyph.id),
+        text_range,
+        x_advance: glyph.advance,
+        x_offset: 0.0,
+        y_offset: 0.0,
+        y_advance: 0.0,
+        location: None,
+    };
+    let glyphs = letters.iter().zip(places).map(glyph).collect();
+    (text, glyphs)
 }
 
 fn shape(surface: &mut Surface, path: Option<Path>, fill: Option<Fill>, stroke: Option<Stroke>) {

@@ -1,5 +1,6 @@
 //! A drawing as pixels: the SVG, rasterised.
 
+use super::font::FallbackFont;
 use super::{CREATOR, Paper, font, svg};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg;
@@ -37,7 +38,7 @@ pub fn pixels(paper: &Paper, dpi: f64) -> Result<Pixels, RasterError> {
         )));
     }
     let fail = |what: String| RasterError(format!("cannot draw the picture: {what}"));
-    let tree = usvg::Tree::from_str(&svg::svg(paper), &options())
+    let tree = usvg::Tree::from_str(&svg::svg(paper), &options(&paper.fallback))
         .map_err(|error| fail(error.to_string()))?;
     let mut pixmap = Pixmap::new(width, height).ok_or_else(|| fail("it is too large".into()))?;
     let size = tree.size();
@@ -65,16 +66,21 @@ fn pixels_of(points: f32, dpi: f64) -> u32 {
     pixels.round() as u32
 }
 
-/// Options for reading our SVG: with the font that it was made for.
-pub fn options() -> usvg::Options<'static> {
+/// Options for reading our SVG: with the fonts that it was made for.
+pub fn options(fallback: &[FallbackFont]) -> usvg::Options<'static> {
     static FONTS: LazyLock<Arc<usvg::fontdb::Database>> = LazyLock::new(|| {
         let mut fonts = usvg::fontdb::Database::new();
         fonts.load_font_data(font::BYTES.to_vec());
         Arc::new(fonts)
     });
+    let mut fonts = Arc::clone(&FONTS);
+    for font in fallback {
+        let source = usvg::fontdb::Source::Binary(font.data.clone());
+        Arc::make_mut(&mut fonts).load_font_source(source);
+    }
     usvg::Options {
         font_family: font::FAMILY.into(),
-        fontdb: Arc::clone(&FONTS),
+        fontdb: fonts,
         ..usvg::Options::default()
     }
 }

@@ -1,7 +1,8 @@
 //! A drawing as SVG. Text stays text; the letters that it uses are carried along as a font.
 
+use super::font::FallbackFont;
 use super::{CREATOR, POINTS_PER_MM, Paper, font};
-use crate::figure::drawing::{Drawing, Item, Label, Picture, Point};
+use crate::figure::drawing::{Item, Label, Picture, Point};
 use crate::figure::palette::{Ink, Palette, Role};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
@@ -14,9 +15,10 @@ pub fn svg(paper: &Paper) -> String {
     let [width, height] = paper.drawing.size;
     let mm = |points: f32| number((f64::from(points) / POINTS_PER_MM) as f32);
     let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    // librsvg and Inkscape do not read `white-space` and would drop the blanks beside a subscript.
     let _ = writeln!(
         out,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {} {}\">",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" xml:space=\"preserve\" width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {} {}\">",
         mm(width),
         mm(height),
         number(width),
@@ -24,7 +26,7 @@ pub fn svg(paper: &Paper) -> String {
     );
     let _ = writeln!(out, "<title>{}</title>", escaped(&paper.title));
     let _ = writeln!(out, "<desc>{CREATOR}</desc>");
-    let _ = writeln!(out, "<style>\n{}</style>", style(&paper.drawing));
+    let _ = writeln!(out, "<style>\n{}</style>", style(paper));
     if let Some([r, g, b]) = paper.ground {
         let _ = writeln!(
             out,
@@ -41,8 +43,9 @@ pub fn svg(paper: &Paper) -> String {
 }
 
 /// The font for the letters in use, and what all texts have in common.
-fn style(drawing: &Drawing) -> String {
-    let used: BTreeSet<char> = drawing
+fn style(paper: &Paper) -> String {
+    let used: BTreeSet<char> = paper
+        .drawing
         .labels()
         .flat_map(|label| &label.text.runs)
         .flat_map(|run| run.text.chars())
@@ -59,10 +62,18 @@ fn style(drawing: &Drawing) -> String {
     }
     let _ = writeln!(
         style,
-        "text {{ font-family: '{}', Arial, Helvetica, sans-serif; font-kerning: none; white-space: pre; }}",
-        font::FAMILY
+        "text {{ font-family: '{}'{}, Arial, Helvetica, sans-serif; font-kerning: none; white-space: pre; }}",
+        font::FAMILY,
+        paper.fallback.iter().map(named).collect::<String>()
     );
     style
+}
+
+/// A font that stands in, in the list of families. It is the viewer's: one with so many letters is too large to carry.
+fn named(font: &FallbackFont) -> String {
+    let plain = |c: &char| !c.is_control() && !"'\"\\<>&".contains(*c);
+    let family: String = font.family.chars().filter(plain).collect();
+    format!(", '{family}'")
 }
 
 /// The font with some letters alone; `None` where it has none of them.
@@ -144,7 +155,7 @@ fn draw(out: &mut String, item: &Item, paper: &Paper) {
 }
 
 fn text(out: &mut String, label: &Label, paper: &Paper) {
-    let (runs, [min, max]) = font::placed(label);
+    let (runs, [min, max]) = font::placed(label, &paper.fallback);
     let turn = match label.angle.to_degrees() {
         0.0 => String::new(),
         degrees => format!(" rotate({})", number(degrees)),

@@ -47,12 +47,13 @@ fn paper() -> Paper {
         drawing,
         palette: Palette::LIGHT,
         ground: Some([255; 3]),
+        fallback: Vec::new(),
         title: "a <test> & more\u{7}".into(),
     }
 }
 
 fn tree(paper: &Paper) -> usvg::Tree {
-    usvg::Tree::from_str(&svg::svg(paper), &options()).expect("an SVG")
+    usvg::Tree::from_str(&svg::svg(paper), &options(&[])).expect("an SVG")
 }
 
 /// The texts in a group, in order.
@@ -79,6 +80,28 @@ fn an_svg_keeps_its_text_and_is_as_large_as_it_says() {
     texts(tree(&paper()).root(), &mut found);
     assert_eq!(found, vec!["ρd·cos θi < \"x\" & 10−3"; 2]);
     assert!(text.contains("<title>a &lt;test&gt; &amp; more\u{fffd}</title>"));
+}
+
+#[test]
+fn blanks_of_an_svg_are_kept_by_readers_that_know_no_white_space_property() {
+    let mut spaced = paper();
+    let text = RichText::parse("θ_{i}  = 30°, log_{10} scale");
+    let label = Label::new(text, [9.0; 2], Anchor::LEFT, 8.0, RED);
+    spaced.drawing.items = vec![Item::Text(label)];
+    let whole = svg::svg(&spaced);
+    let old = whole.replace("white-space: pre;", "");
+    assert_ne!(old, whole);
+    for (text, kept) in [
+        (whole, true),
+        (old.clone(), true),
+        // Planted: without both, two blanks are one.
+        (old.replace("xml:space", "id"), false),
+    ] {
+        let tree = usvg::Tree::from_str(&text, &options(&[])).expect("an SVG");
+        let mut found = Vec::new();
+        texts(tree.root(), &mut found);
+        assert_eq!(found == ["θi  = 30°, log10 scale"], kept, "{found:?}");
+    }
 }
 
 #[test]
@@ -177,20 +200,30 @@ fn text_is_drawn_in_the_middle_of_its_place() {
     let middle = (first + last) as f32 / 8.0;
     assert!((middle - 50.0).abs() < 0.6, "{middle}");
     let label = only.drawing.labels().next().expect("a label");
-    let (_, [min, max]) = font::placed(label);
+    let (_, [min, max]) = font::placed(label, &[]);
     let drawn = (last - first) as f32 / 4.0;
     assert!((drawn / (max[0] - min[0]) - 1.0).abs() < 0.03, "{drawn}");
 }
 
 #[test]
 fn a_png_knows_its_resolution_and_one_too_large_is_refused() {
-    let bytes = png(&paper(), 300.0).expect("a PNG");
-    let reader = png::Decoder::new(std::io::Cursor::new(bytes));
-    let reader = reader.read_info().expect("a header");
-    let info = reader.info();
-    assert_eq!((info.width, info.height), (417, 250));
-    let density = info.pixel_dims.expect("a resolution");
-    assert_eq!((density.xppu, density.unit), (11811, png::Unit::Meter));
+    // 100 × 60 points, and pixels to the metre.
+    for (dpi, size, density) in [
+        (72.0, (100, 60), 2835),
+        (96.0, (133, 80), 3780),
+        (300.0, (417, 250), 11811),
+        (333.3, (463, 278), 13122),
+        (1200.0, (1667, 1000), 47244),
+    ] {
+        let bytes = png(&paper(), dpi).expect("a PNG");
+        let reader = png::Decoder::new(std::io::Cursor::new(bytes));
+        let reader = reader.read_info().expect("a header");
+        let info = reader.info();
+        assert_eq!((info.width, info.height), size, "{dpi} dpi");
+        let found = info.pixel_dims.expect("a resolution");
+        assert_eq!((found.xppu, found.yppu), (density, density), "{dpi} dpi");
+        assert_eq!(found.unit, png::Unit::Meter);
+    }
     let mut huge = paper();
     huge.drawing.size = [1e5, 10.0];
     let said = png(&huge, 300.0).expect_err("too large").to_string();
@@ -202,7 +235,10 @@ fn a_png_knows_its_resolution_and_one_too_large_is_refused() {
 #[test]
 fn a_pdf_is_made_and_always_the_same() {
     let bytes = pdf::pdf(&paper()).expect("a PDF");
-    assert!(bytes.starts_with(b"%PDF-") && bytes.len() < 60_000);
+    // The version that pdfTeX takes without a warning, in the header and in the metadata.
+    assert!(bytes.starts_with(b"%PDF-1.5") && bytes.len() < 60_000);
+    let found = String::from_utf8_lossy(&bytes);
+    assert!(found.contains("<pdf:PDFVersion>1.5<"), "{found}");
     assert_eq!(pdf::pdf(&paper()).expect("a PDF"), bytes);
     assert_eq!(svg::svg(&paper()), svg::svg(&paper()));
     let mut other = paper();

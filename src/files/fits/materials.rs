@@ -60,23 +60,29 @@ fn sort(entries: &mut [FitEntry]) {
 
 /// Groups the entries of the file `path` by material and checks which measured files exist.
 ///
-/// Entries belong together if they were fitted to the same path or to the same bytes, or if none of them names a source
-/// and they have the same material. Entries without a name are each on their own, named after the file.
+/// Entries belong together if they were fitted to the same path; to the same bytes under the same name, unless two such
+/// files are there, which are two materials; or if none of them names a source and they have the same material. Entries
+/// without a name are each on their own, named after the file.
 pub fn by_material(path: &Path, entries: Vec<FitEntry>) -> Vec<MaterialFits> {
     let path = absolute(path);
     let folder = path.parent().unwrap_or(Path::new(""));
     let single = entries.len() == 1;
     let mut all: Vec<MaterialFits> = Vec::new();
     for (index, entry) in entries.into_iter().enumerate() {
-        if let Some(fits) = all.iter_mut().find(|fits| belongs(&entry, fits)) {
-            fits.entries.push(entry);
-            continue;
-        }
         let places: Vec<PathBuf> = entry
             .source
             .iter()
             .flat_map(|source| source.places(folder))
             .collect();
+        let found = places.iter().find(|place| place.is_file()).cloned();
+        let same = all.iter_mut().find(|fits| belongs(&entry, &found, fits));
+        if let Some(fits) = same {
+            fits.entries.push(entry);
+            if fits.found.is_none() && found.is_some() {
+                (fits.found, fits.places) = (found, places);
+            }
+            continue;
+        }
         let name = match &entry.material {
             Some(name) => name.clone(),
             None if single => material_name(&path),
@@ -85,7 +91,7 @@ pub fn by_material(path: &Path, entries: Vec<FitEntry>) -> Vec<MaterialFits> {
         all.push(MaterialFits {
             name,
             source: entry.source.clone(),
-            found: places.iter().find(|place| place.is_file()).cloned(),
+            found,
             places,
             best: entry.brdf,
             entries: vec![entry],
@@ -109,9 +115,19 @@ pub fn best_of<'a>(entries: &'a [FitEntry], source: &SourceFile) -> Option<&'a F
     of_it.min_by(|a, b| error(a).total_cmp(&error(b)))
 }
 
-fn belongs(entry: &FitEntry, fits: &MaterialFits) -> bool {
+/// Whether an entry, whose measured file was `found`, is one of a material.
+fn belongs(entry: &FitEntry, found: &Option<PathBuf>, fits: &MaterialFits) -> bool {
+    let named_alike = || {
+        fits.entries
+            .iter()
+            .all(|other| other.material == entry.material)
+    };
     match (&entry.source, &fits.source) {
-        (Some(a), Some(b)) => a.path == b.path || a.same_data(b) == Some(true),
+        (Some(a), Some(b)) if a.path == b.path => true,
+        (Some(a), Some(b)) if a.same_data(b) == Some(true) => {
+            let both = found.as_ref().zip(fits.found.as_ref());
+            named_alike() && both.is_none_or(|(found, other)| found == other)
+        }
         (None, None) => entry.material.as_ref() == Some(&fits.name),
         _ => false,
     }

@@ -129,6 +129,43 @@ fn a_plain_model_is_no_fit_and_a_bad_entry_is_named() {
 }
 
 #[test]
+fn two_files_of_the_same_bytes_are_two_materials_and_a_moved_one_stays_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for name in ["a", "b"] {
+        std::fs::create_dir(folder.path().join(name)).expect("a folder");
+    }
+    let there = [
+        "red.binary",
+        "blue.binary",
+        "a/steel.binary",
+        "b/steel.binary",
+    ];
+    for name in there {
+        std::fs::write(folder.path().join(name), "x").expect("is written");
+    }
+    let fit = |path: &str, error: f64| {
+        let mut fit = record(0, Fresnel::None);
+        fit.material = crate::files::material_name(path.as_ref());
+        fit.source = Some(SourceFile {
+            path: path.into(),
+            bytes: None,
+            sha256: Some("a".into()),
+        });
+        fit.errors.total = error;
+        fit
+    };
+    let mut fits: Vec<_> = there.iter().map(|path| fit(path, 0.1)).collect();
+    // Where they were before, of the same name and the same bytes.
+    fits.extend([fit("/gone/red.binary", 0.2), fit("/gone/blue.binary", 0.3)]);
+    let path = folder.path().join("fits.json");
+    let all = by_material(&path, entries(&json_of(&fits)).expect("is read"));
+    let found: Vec<_> = all.iter().filter_map(|fits| fits.found.clone()).collect();
+    assert_eq!(found, there.map(|name| folder.path().join(name)));
+    let counts: Vec<usize> = all.iter().map(|fits| fits.entries.len()).collect();
+    assert_eq!(counts, [2, 2, 1, 1]);
+}
+
+#[test]
 fn fits_of_one_material_are_together_the_best_first() {
     let folder = tempfile::tempdir().expect("a folder");
     let here = folder.path().join("gold.binary");
