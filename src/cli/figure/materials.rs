@@ -1,33 +1,41 @@
-//! Materials with their models, from measured files and fit files; what has no fit is fitted.
+//! Materials with their models, from measured files and fit files or the synthetic ones; what has no fit is fitted.
 
 use crate::brdf::Brdf;
 use crate::cli::CliError;
 use crate::cli::fit::progress::Bar;
 use crate::export::preset::PresetMaterial;
-use crate::export::{OpenedTables, SubjectSource};
+use crate::export::{OpenedTables, SubjectSource, open_from_files};
 use crate::files::fits;
 use crate::files::{self, FileError};
 use crate::fit::options::NO_LIMIT;
 use crate::fit::{self, FitOptions, Problem, Variant, Weight};
-use crate::measured::Table;
+use crate::measured::{SAMPLES, SyntheticMaterial, Table};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// A measured file and the fits that are known of it.
-struct MaterialFiles {
-    path: PathBuf,
+/// A material and the fits that are known of it.
+struct Found {
+    data: Data,
     name: String,
     models: Vec<Brdf>,
 }
 
-/// The materials in the order in which they are named, each with a model per variant.
+/// Where values come from.
+#[derive(PartialEq)]
+enum Data {
+    File(PathBuf),
+    Sample(&'static str),
+}
+
+/// The materials in the order in which they are named, each with a model per variant; the synthetic ones where none is
+/// named.
 pub(super) fn of_files(
     paths: &[PathBuf],
     variants: &[Variant],
     opened: &mut OpenedTables,
 ) -> Result<Vec<PresetMaterial>, CliError> {
-    let mut found: Vec<MaterialFiles> = Vec::new();
+    let mut found: Vec<Found> = Vec::new();
     for path in paths {
         match files::open_models(path)? {
             Some(entries) => {
@@ -38,22 +46,44 @@ pub(super) fn of_files(
             None => drop(at(&mut found, &files::place(path))),
         }
     }
+    if paths.is_empty() {
+        found.extend(SAMPLES.iter().map(Found::sample));
+    }
     let mut bar = Bar::new(found.len(), variants);
     let mut materials = Vec::new();
     for (index, found) in found.into_iter().enumerate() {
-        bar.file(index, &found.path);
+        bar.file(index, &found.place());
         materials.push(material(found, variants, opened, &mut bar)?);
     }
     bar.finish();
     Ok(materials)
 }
 
+impl Found {
+    fn sample(sample: &SyntheticMaterial) -> Self {
+        Self {
+            data: Data::Sample(sample.key),
+            name: sample.name.to_owned(),
+            models: Vec::new(),
+        }
+    }
+
+    /// The file, or the name of a synthetic material: for messages.
+    fn place(&self) -> PathBuf {
+        match &self.data {
+            Data::File(path) => path.clone(),
+            Data::Sample(key) => key.into(),
+        }
+    }
+}
+
 /// The place of a file among those found, which it is added to where it is new.
-fn at<'a>(found: &'a mut Vec<MaterialFiles>, path: &Path) -> &'a mut MaterialFiles {
-    let index = found.iter().position(|found| found.path == path);
+fn at<'a>(found: &'a mut Vec<Found>, path: &Path) -> &'a mut Found {
+    let data = Data::File(path.to_owned());
+    let index = found.iter().position(|found| found.data == data);
     let index = index.unwrap_or_else(|| {
-        found.push(MaterialFiles {
-            path: path.to_owned(),
+        found.push(Found {
+            data,
             name: files::material_name(path),
             models: Vec::new(),
         });
@@ -63,7 +93,7 @@ fn at<'a>(found: &'a mut Vec<MaterialFiles>, path: &Path) -> &'a mut MaterialFil
 }
 
 fn add_fits(
-    found: &mut Vec<MaterialFiles>,
+    found: &mut Vec<Found>,
     path: &Path,
     fits: &fits::MaterialFits,
 ) -> Result<(), FileError> {
@@ -83,25 +113,35 @@ fn add_fits(
 }
 
 fn material(
-    found: MaterialFiles,
+    found: Found,
     variants: &[Variant],
     opened: &mut OpenedTables,
     bar: &mut Bar,
 ) -> Result<PresetMaterial, CliError> {
-    let (table, file) = files::open_measured(&found.path, &mut |_| ControlFlow::Continue(()))?;
-    let table = Arc::new(table);
-    let place = file.places(Path::new(""));
-    opened.insert(place[0].clone(), Arc::clone(&table));
+    let (table, source) = match &found.data {
+        Data::File(path) => {
+            let (table, file) = files::open_measured(path, &mut |_| ControlFlow::Continue(()))?;
+            let table = Arc::new(table);
+            let place = file.places(Path::new(""));
+            opened.insert(place[0].clone(), Arc::clone(&table));
+            (table, SubjectSource::measured(file))
+        }
+        Data::Sample(key) => {
+            let source = SubjectSource::sample(key);
+            let table = open_from_files(&source, Path::new(""), false, opened)?;
+            (table, source)
+        }
+    };
     let models = models(&found, &table, variants, bar)?;
     Ok(PresetMaterial {
         name: found.name,
-        source: SubjectSource::measured(file),
+        source,
         models,
     })
 }
 
 fn models(
-    found: &MaterialFiles,
+    found: &Found,
     table: &Table,
     variants: &[Variant],
     bar: &mut Bar,
@@ -120,7 +160,7 @@ fn models(
     let mut fitted = Vec::new();
     if !missing.is_empty() {
         let problem = Problem::new(table, Weight::default(), NO_LIMIT)
-            .map_err(|error| FileError::new(&found.path, error.to_string()))?;
+            .map_err(|error| FileError::new(&found.place(), error.to_string()))?;
         let watch = &mut |position: usize, progress: &fit::FitProgress| {
             bar.progress(position, progress);
             ControlFlow::Continue(())
