@@ -28,6 +28,7 @@ pub fn window(files: Vec<PathBuf>, to_open: Vec<PathBuf>) -> Window {
 /// Dialogs that are closed without an answer.
 pub fn nothing_picked() -> Picker {
     Picker {
+        ready: Arc::new(|| Ok(())),
         open: Arc::new(Vec::new),
         folder: Arc::new(|| None),
         save: Arc::new(|_| None),

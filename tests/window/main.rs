@@ -37,4 +37,5 @@ mod session;
 mod share;
 mod slices;
 mod sphere;
+mod start;
 mod tiles;
