@@ -141,7 +141,13 @@ impl App {
                 self.autosave = Some(autosave);
                 Msg::Session(SessionMsg::Crashed(crashed))
             }
-            Err(error) => Msg::Notify(Severity::Error, error.to_string()),
+            // Settings are kept beside it.
+            Err(error) => Msg::Notify(
+                Severity::Error,
+                format!(
+                    "Settings and recovery after a crash are off: your home folder cannot be written ({error})."
+                ),
+            ),
         };
         self.handle(ctx, msg);
     }
