@@ -20,8 +20,8 @@ use crate::app::jobs::autosave::Autosave;
 use crate::app::jobs::sender::Sender;
 use crate::app::jobs::{Jobs, prepare_threads};
 use crate::app::lessons::LookAt;
-use crate::app::msg::Msg;
 use crate::app::msg::session::SessionMsg;
+use crate::app::msg::{Msg, Task};
 use crate::app::panels::library::library_ui;
 use crate::app::panels::tiles::tiles_ui;
 use crate::app::panels::{dialogs, fit, lesson, menu, model, notices, status};
@@ -69,6 +69,10 @@ pub struct App {
     tools: Tools,
     adapter: String,
     autosave: Option<Autosave>,
+    /// Tasks that wait for the first frame, which would have to share the cores with it; nothing waits any more at `None`.
+    held: Option<Vec<Task>>,
+    /// Number that egui gives the first frame.
+    first_frame: Option<u64>,
     shown_theme: Option<Theme>,
     shown_title: String,
 }
@@ -86,7 +90,7 @@ impl App {
             .wgpu_render_state
             .as_ref()
             .ok_or("the window has no wgpu renderer")?;
-        views::sphere::callback::install(render_state);
+        let sphere = views::sphere::callback::install(render_state);
         views::lobe3d::callback::install(render_state);
         set_style(&cc.egui_ctx);
         prepare_threads();
@@ -101,6 +105,8 @@ impl App {
             },
             adapter: crate::gpu::adapter::describe(&render_state.adapter.get_info()),
             autosave: None,
+            held: Some(vec![Task::Start(sphere)]),
+            first_frame: None,
             shown_theme: None,
             shown_title: "Grazing".into(),
         };
@@ -131,6 +137,24 @@ impl App {
     /// Applies a message and starts what follows from it.
     pub fn handle(&mut self, ctx: &egui::Context, msg: Msg) {
         for task in apply(&mut self.state, msg) {
+            match &mut self.held {
+                Some(held) => held.push(task),
+                None => tasks::start(task, &self.state, &self.tools, ctx),
+            }
+        }
+    }
+
+    /// Starts what has waited for the first frame, once that is on screen.
+    fn start_held(&mut self, ctx: &egui::Context) {
+        if self.held.is_none() {
+            return;
+        }
+        let frame = ctx.cumulative_frame_nr();
+        if frame == *self.first_frame.get_or_insert(frame) {
+            ctx.request_repaint();
+            return;
+        }
+        for task in self.held.take().unwrap_or_default() {
             tasks::start(task, &self.state, &self.tools, ctx);
         }
     }
@@ -205,6 +229,7 @@ impl eframe::App for App {
                 Theme::Dark => egui::ThemePreference::Dark,
             });
         }
+        self.start_held(&ctx);
         let mut out: Vec<Msg> = self.inbox.try_iter().collect();
         shortcuts(&ctx, &self.state, &mut out);
         dropped_files(&ctx, &mut out);

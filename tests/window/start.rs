@@ -1,13 +1,40 @@
-//! Dialogs that do not come.
+//! The start of the window, and dialogs that do not come.
 
-use crate::common::window::{nothing_picked, press, run, settle, window_with};
+use crate::common::folder::Folder;
+use crate::common::records::write_merl;
+use crate::common::window::{nothing_picked, press, run, settle, window_with, with_answers};
 use egui::{Key, Modifiers};
-use grazing::app::Picker;
+use egui_kittest::Harness;
 use grazing::app::command::Command;
 use grazing::app::jobs::dialogs::NoDialog;
 use grazing::app::state::notice::Severity;
+use grazing::app::{App, Picker};
 use std::sync::mpsc::channel;
 use std::sync::{Arc, Mutex};
+use std::thread;
+use std::time::Duration;
+
+#[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
+fn nothing_is_read_before_the_first_frame() {
+    let folder = Folder::new();
+    let file = folder.path("tin.binary");
+    let options = with_answers(&[&file], None, None);
+    let mut window = Harness::builder()
+        .with_size([1280.0, 800.0])
+        .wgpu()
+        .build_eframe(move |cc| {
+            let app = App::new(cc, options).expect("a renderer");
+            // The file comes late: a job that has begun finds nothing.
+            thread::sleep(Duration::from_millis(300));
+            write_merl(&file);
+            app
+        });
+    settle(&mut window, |state| state.jobs.is_empty());
+    let state = window.state().state();
+    assert_eq!(state.notices, []);
+    assert_eq!(state.current().expect("a material").0.name, "tin");
+}
 
 #[test]
 #[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
