@@ -1,18 +1,20 @@
-//! The start of the window, and dialogs that do not come.
+//! The start of the window, dialogs that do not come, and figures among the files.
 
 use crate::common::folder::Folder;
 use crate::common::records::write_merl;
-use crate::common::window::{nothing_picked, press, run, settle, window_with, with_answers};
+use crate::common::window::{
+    nothing_picked, press, run, send, settle, window, window_with, with_answers,
+};
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use grazing::app::command::Command;
 use grazing::app::jobs::dialogs::NoDialog;
+use grazing::app::msg::Msg;
 use grazing::app::state::notice::Severity;
 use grazing::app::{App, Picker};
 use std::sync::mpsc::channel;
 use std::sync::{Arc, Mutex};
-use std::thread;
-use std::time::Duration;
+use std::{fs, thread, time::Duration};
 
 #[test]
 #[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
@@ -77,4 +79,39 @@ fn a_dialog_that_does_not_come_to_the_front_is_told_of_while_it_is_waited_for() 
     assert_eq!(notice.level, Severity::Info);
     assert!(notice.text.contains("Open path…"), "{notice:?}");
     drop(answer);
+}
+
+#[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
+fn a_figure_opens_the_data_that_it_shows() {
+    let folder = Folder::new();
+    write_merl(&folder.path("tin.binary"));
+    let source = r#"{"measured": {"file": {"path": "elsewhere/tin.binary"}, "lookup": "smooth"}}"#;
+    let sample = r#"{"sample": {"key": "hammered-gold", "lookup": "smooth"}}"#;
+    let subject =
+        |label: &str, source: &str| format!(r#"{{"label": "{label}", "source": {source}}}"#);
+    let [tin, gold] = [subject("Tin", source), subject("Gold", sample)];
+    let text = |subjects: &str| format!(r#"{{"subjects": [{subjects}], "rows": []}}"#);
+    let figure = folder.file("two.figure.json", text(&format!("{tin}, {gold}, {tin}")));
+    let mut window = window(vec![figure], vec![]);
+    settle(&mut window, |state| {
+        state.scene.opened.len() == 2 && state.jobs.is_empty()
+    });
+    let state = window.state().state();
+    let mut names: Vec<&str> = state.materials.values().map(|m| m.name.as_str()).collect();
+    names.sort_unstable();
+    assert_eq!(names, ["Hammered gold (synthetic)", "tin"]);
+    assert!(
+        state.notices[0].text.contains("two.figure.json"),
+        "{:?}",
+        state.notices
+    );
+    // A file that is gone is named with the figure.
+    fs::remove_file(folder.path("tin.binary")).expect("removed");
+    let figure = folder.path("two.figure.json");
+    send(&mut window, Msg::OpenFiles(vec![figure.clone()]));
+    settle(&mut window, |state| state.notices.len() == 2);
+    let said = &window.state().state().notices[1].text;
+    assert!(said.contains("Tin is missing"), "{said}");
+    assert!(said.ends_with(&format!(": {}", figure.display())), "{said}");
 }
