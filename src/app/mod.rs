@@ -20,8 +20,8 @@ use crate::app::jobs::autosave::Autosave;
 use crate::app::jobs::fonts::LackingLetters;
 use crate::app::jobs::sender::Sender;
 use crate::app::jobs::{Jobs, prepare_threads};
-use crate::app::msg::Msg;
 use crate::app::msg::session::SessionMsg;
+use crate::app::msg::{Msg, Task};
 use crate::app::panels::tiles::tiles_ui;
 use crate::app::panels::{dialogs, lesson, menu, notices, sides, status};
 use crate::app::reduce::apply;
@@ -68,6 +68,10 @@ pub struct App {
     adapter: String,
     autosave: Option<Autosave>,
     lacking: LackingLetters,
+    /// Tasks that wait for the first frame, which would have to share the cores with it; nothing waits any more at `None`.
+    held: Option<Vec<Task>>,
+    /// Number that egui gives the first frame.
+    first_frame: Option<u64>,
     shown_theme: Option<Theme>,
     shown_zoom: Option<Zoom>,
     shown_title: String,
@@ -86,7 +90,7 @@ impl App {
             .wgpu_render_state
             .as_ref()
             .ok_or("the window has no wgpu renderer")?;
-        views::sphere::callback::install(render_state);
+        let sphere = views::sphere::callback::install(render_state);
         views::lobe3d::callback::install(render_state);
         set_style(&cc.egui_ctx);
         prepare_threads();
@@ -102,6 +106,8 @@ impl App {
             adapter: crate::gpu::adapter::describe(&render_state.adapter.get_info()),
             autosave: None,
             lacking: LackingLetters::default(),
+            held: Some(vec![Task::Start(sphere)]),
+            first_frame: None,
             shown_theme: None,
             shown_zoom: None,
             shown_title: "Grazing".into(),
@@ -135,6 +141,24 @@ impl App {
     /// Applies a message and starts what follows from it.
     pub fn handle(&mut self, ctx: &egui::Context, msg: Msg) {
         for task in apply(&mut self.state, msg) {
+            match &mut self.held {
+                Some(held) => held.push(task),
+                None => tasks::start(task, &self.state, &self.tools, ctx),
+            }
+        }
+    }
+
+    /// Starts what has waited for the first frame, once that is on screen.
+    fn start_held(&mut self, ctx: &egui::Context) {
+        if self.held.is_none() {
+            return;
+        }
+        let frame = ctx.cumulative_frame_nr();
+        if frame == *self.first_frame.get_or_insert(frame) {
+            ctx.request_repaint();
+            return;
+        }
+        for task in self.held.take().unwrap_or_default() {
             tasks::start(task, &self.state, &self.tools, ctx);
         }
     }
@@ -145,7 +169,13 @@ impl App {
                 self.autosave = Some(autosave);
                 Msg::Session(SessionMsg::Crashed(crashed))
             }
-            Err(error) => Msg::Notify(Severity::Error, error.to_string()),
+            // Settings are kept beside it.
+            Err(error) => Msg::Notify(
+                Severity::Error,
+                format!(
+                    "Settings and recovery after a crash are off: your home folder cannot be written ({error})."
+                ),
+            ),
         };
         self.handle(ctx, msg);
     }
@@ -204,6 +234,7 @@ impl eframe::App for App {
         if narrow != self.state.prefs.panels.is_narrow {
             self.handle(&ctx, Msg::Narrow(narrow));
         }
+        self.start_held(&ctx);
         let mut out: Vec<Msg> = self.inbox.try_iter().collect();
         shortcuts(&ctx, &self.state, &mut out);
         dropped_files(&ctx, &mut out);

@@ -1,5 +1,9 @@
 //! Opening the window, and plain words where it cannot be opened.
 
+#[cfg(target_os = "linux")]
+mod display;
+mod words;
+
 use crate::app::jobs::dialogs::Picker;
 use crate::app::state::prefs::Prefs;
 use crate::app::{App, WindowOptions};
@@ -7,11 +11,9 @@ use crate::gpu::adapter;
 use eframe::egui_wgpu;
 use std::path::PathBuf;
 use std::sync::Arc;
+use words::{Failure, explain};
 
-/// The packages a window needs on Debian and Ubuntu beyond a bare system.
-const APT_LINE: &str = "sudo apt-get install -y libxkbcommon-x11-0 libxcursor1 libxi6 libx11-xcb1 mesa-vulkan-drivers libegl1 libgl1-mesa-dri";
-/// Hint at the subcommands, which work without a window.
-const WITHOUT_WINDOW: &str = "Without a window these work: grazing info FILE, grazing sample NAME -o FILE, grazing eval SOURCE --directions FILE.csv, grazing fit FILE, grazing figure --preset lobes FILE -o lobes.pdf, grazing render SOURCE -o sphere.png";
+pub use words::APT_LINE;
 
 /// Opens the window with these files and returns when it is closed.
 ///
@@ -20,6 +22,7 @@ const WITHOUT_WINDOW: &str = "Without a window these work: grazing info FILE, gr
 pub fn run(files: Vec<PathBuf>) -> Result<(), String> {
     catch_missing_libraries();
     let options = eframe::NativeOptions {
+        event_loop_builder: event_loop_hook()?,
         viewport: egui::ViewportBuilder::default()
             .with_title("Grazing")
             .with_app_id("grazing")
@@ -41,7 +44,25 @@ pub fn run(files: Vec<PathBuf>) -> Result<(), String> {
         options,
         Box::new(|cc| Ok(Box::new(App::new(cc, start)?))),
     )
-    .map_err(|error| explain(&error.to_string()))
+    .map_err(|error| explain(Failure::of(&error), &error.to_string()))
+}
+
+/// Way to X11 where the environment names a Wayland display that does not answer.
+#[cfg(target_os = "linux")]
+fn event_loop_hook() -> Result<Option<eframe::EventLoopBuilderHook>, String> {
+    use winit::platform::x11::EventLoopBuilderExtX11 as _;
+    let choice = display::choose().map_err(|tried| explain(Failure::Display, &tried))?;
+    Ok(choice.map(|tried| -> eframe::EventLoopBuilderHook {
+        words::say(&tried);
+        Box::new(|builder| {
+            builder.with_x11();
+        })
+    }))
+}
+
+#[cfg(not(target_os = "linux"))]
+fn event_loop_hook() -> Result<Option<eframe::EventLoopBuilderHook>, String> {
+    Ok(None)
 }
 
 fn icon() -> egui::IconData {
@@ -66,78 +87,9 @@ fn catch_missing_libraries() {
     std::panic::set_hook(Box::new(move |info| {
         let text = info.payload_as_str().unwrap_or_default();
         if text.contains("xkbcommon") || text.contains("could not be loaded") {
-            eprintln!("grazing: {}", explain(text));
+            words::say(&explain(Failure::Library, text));
             std::process::exit(1);
         }
         default_hook(info);
     }));
-}
-
-/// Why there is no window, in words and with what to do.
-fn explain(error: &str) -> String {
-    // winit puts the place in its source before the reason.
-    let error = match error.split_once(".rs:") {
-        Some((_, rest)) => rest.split_once(": ").map_or(rest, |(_, reason)| reason),
-        None => error,
-    };
-    let lower = error.to_lowercase();
-    let (what, todo) = if lower.contains("xkbcommon") || lower.contains("librar") {
-        (
-            "a library that the window needs is missing",
-            format!("Install it: {APT_LINE}"),
-        )
-    } else if lower.contains("display") && !lower.contains("surface") || lower.contains("x server")
-    {
-        (
-            "there is no display to open a window on",
-            format!(
-                "Start it from a desktop, or on a virtual display: {APT_LINE} xvfb xauth && xvfb-run grazing"
-            ),
-        )
-    } else {
-        (
-            "no graphics driver works for a window",
-            format!("Install one: {APT_LINE}"),
-        )
-    };
-    format!("{what} ({error})\n{todo}\n{WITHOUT_WINDOW}")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_failure_says_what_to_do() {
-        for (error, what) in [
-            (
-                "winit EventLoopError: os error at /home/a/winit/linux/mod.rs:765: neither WAYLAND_DISPLAY nor DISPLAY is set.",
-                "no display to open a window on (neither",
-            ),
-            (
-                "os error at /a/mod.rs:788: Failed to open connection to X server",
-                "no display",
-            ),
-            (
-                "os error at /a/mod.rs:788: Failed to load one of xlib's shared libraries",
-                "library",
-            ),
-            (
-                "WGPU error: Failed to create surface for any enabled backend",
-                "no graphics driver",
-            ),
-            (
-                "Library libxkbcommon-x11.so could not be loaded.",
-                "library",
-            ),
-        ] {
-            let text = explain(error);
-            assert!(
-                text.lines().next().is_some_and(|line| line.contains(what)),
-                "{text}"
-            );
-            assert!(text.contains("grazing info FILE"));
-        }
-        assert!(explain("Library libxkbcommon-x11.so").contains("libxkbcommon-x11-0"));
-    }
 }

@@ -1,9 +1,9 @@
 //! Starting tasks: what [`crate::app::reduce::apply`] asks to be done outside the state.
 
-use crate::app::jobs::dialogs::{Picker, ask, ask_and_write};
+use crate::app::jobs::dialogs::{Picker, Purpose, ask, ask_and_write};
 use crate::app::jobs::fit::{Problems, fit, refit_amplitudes};
 use crate::app::jobs::load::load;
-use crate::app::jobs::{Jobs, dialogs, fonts, library, session};
+use crate::app::jobs::{Jobs, fonts, library, session};
 use crate::app::msg::figure::FigureTask;
 use crate::app::msg::work::SendMsg;
 use crate::app::msg::{Msg, Task};
@@ -50,20 +50,27 @@ pub fn start(task: Task, state: &State, tools: &Tools, ctx: &egui::Context) {
             let open = Arc::clone(&picker.open);
             let some = move || Some(open()).filter(|paths| !paths.is_empty());
             let opened = |paths: Vec<PathBuf>, send: &SendMsg| send(Msg::OpenFiles(paths));
-            ask(jobs, "asking for files", dialogs::NOT_OPENED, some, opened);
+            ask(
+                jobs,
+                picker,
+                "asking for files",
+                Purpose::Open,
+                some,
+                opened,
+            );
         }
         Task::Figure(task) => start_figure(task, state, tools),
         Task::ExportModel(export) => {
             let name = export.format.file_name(&export.brdf, &export.material);
-            ask_and_write(jobs, &picker.save, name, move |file| {
+            ask_and_write(jobs, picker, name, move |file| {
                 let material = Some(export.material.as_str());
                 export.format.write(&export.brdf, material, file)
             });
         }
         Task::SavePicture => {
-            let (jobs, save) = (jobs.clone(), Arc::clone(&picker.save));
+            let (jobs, picker) = (jobs.clone(), picker.clone());
             let arrived = move |picture: Arc<egui::ColorImage>| {
-                ask_and_write(&jobs, &save, "grazing.png".into(), move |file| {
+                ask_and_write(&jobs, &picker, "grazing.png".into(), move |file| {
                     write_png(&picture, file)
                 });
             };
@@ -86,7 +93,7 @@ fn start_figure(task: FigureTask, state: &State, tools: &Tools) {
             let figure = figure_of(state, &views, prefs.columns, &prefs.style);
             if let Some(figure) = figure {
                 let (format, name) = (prefs.format, work::file_name(state, &views, prefs.format));
-                work::export(figure, format, name, jobs, &tools.picker.save);
+                work::export(figure, format, name, jobs, &tools.picker);
             }
         }
         FigureTask::CopyPicture(view) => {

@@ -24,6 +24,8 @@ Examples:
           Spheres and polar lobes, measured and as all three models, which are fitted first
   grazing figure --preset lobes fits.json --theta-i 30,60,80 -o lobes.svg
           The materials of a fit file with their fits
+  grazing figure --preset lobes -o lobes.pdf
+          The synthetic materials, without any file
   grazing figure results.figure.json -o results.pdf
           The same figure again, byte by byte, from the spec that was written beside it
   grazing figure results.figure.json --grey --font 7 -o results.png
@@ -40,8 +42,8 @@ Examples:
 #[derive(clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Args {
-    /// A .figure.json; with --preset measured files and fit files
-    #[arg(required = true, value_name = "FILE")]
+    /// A .figure.json; with --preset measured files and fit files, or none for the synthetic materials
+    #[arg(required_unless_present = "preset", value_name = "FILE")]
     files: Vec<PathBuf>,
     /// File to write: .svg, .pdf, .png, .csv, or .exr for a sphere alone; can be given several times
     #[arg(short, long, required = true, value_name = "FILE")]

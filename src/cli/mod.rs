@@ -12,7 +12,9 @@ mod render;
 mod sample;
 mod table;
 
+use crate::app;
 use crate::files::FileError;
+use crate::gpu;
 use clap::error::ErrorKind as UsageError;
 use clap::{CommandFactory as _, Parser, Subcommand};
 use std::fmt::Display;
@@ -29,6 +31,11 @@ struct Cli {
     /// MERL files, fit files, JSON files with models or a session to open in the window
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
+    /// Print the graphics adapter that the window would use: name, driver, backend, type
+    ///
+    /// No display is needed. The variable WGPU_ADAPTER_NAME asks for another one by a part of its name.
+    #[arg(long, exclusive = true)]
+    adapter: bool,
     #[command(subcommand)]
     command: Option<CliCommand>,
 }
@@ -61,15 +68,21 @@ enum CliError {
     Reported,
 }
 
+/// The command line as data, for manual pages and completions.
+pub fn command() -> clap::Command {
+    Cli::command()
+}
+
 /// The program: reads the command line, works, returns the exit code.
 pub fn main() -> ExitCode {
     // Usage errors, --help and --version end here, with 2 or 0.
     let cli = Cli::parse();
     let mut out = io::BufWriter::new(io::stdout().lock());
     let result = match &cli.command {
+        None if cli.adapter => adapter(&mut out),
         None => {
             drop(out);
-            return finish(crate::app::run(cli.files).map_err(CliError::Other));
+            return finish(app::run(cli.files).map_err(CliError::Other));
         }
         Some(CliCommand::Info(args)) => info::run(args, &mut out),
         Some(CliCommand::Sample(args)) => sample::run(args, &mut out),
@@ -82,15 +95,26 @@ pub fn main() -> ExitCode {
     finish(result.and_then(|()| Ok(out.flush()?)))
 }
 
+/// `grazing --adapter`.
+fn adapter(out: &mut dyn Write) -> Result<(), CliError> {
+    let gpu = gpu::adapter::headless().map_err(|error| {
+        CliError::Other(format!(
+            "{error}; install a driver: {}",
+            app::startup::APT_LINE
+        ))
+    })?;
+    Ok(writeln!(out, "{}", gpu::adapter::report(&gpu.info))?)
+}
+
 fn finish(result: Result<(), CliError>) -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
         // Whoever reads has had enough (`grazing eval … | head`): no failure.
         Err(CliError::Output(error)) if error.kind() == ErrorKind::BrokenPipe => ExitCode::SUCCESS,
-        Err(CliError::Usage(command, text)) => {
-            let mut cli = Cli::command();
+        Err(CliError::Usage(name, text)) => {
+            let mut cli = command();
             cli.build();
-            match cli.find_subcommand_mut(command) {
+            match cli.find_subcommand_mut(name) {
                 Some(command) => command.error(UsageError::ArgumentConflict, text).exit(),
                 None => cli.error(UsageError::ArgumentConflict, text).exit(),
             }

@@ -137,6 +137,14 @@ fn place_of(file: &SourceFile, folder: &Path) -> Result<PathBuf, FileError> {
 }
 
 impl SubjectSource {
+    /// A synthetic sample.
+    pub fn sample(key: &str) -> Self {
+        Self::Sample {
+            key: key.to_owned(),
+            lookup: Lookup::Smooth,
+        }
+    }
+
     /// A measured file.
     pub fn measured(file: SourceFile) -> Self {
         Self::Measured {

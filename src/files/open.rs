@@ -78,6 +78,18 @@ pub enum Json {
     Models(Vec<fits::FitEntry>),
     /// Text of a session.
     Session(String),
+    /// Text of a figure spec.
+    Figure(String),
+}
+
+/// Message for a figure where models are expected.
+const FIGURE_HAS_NO_MODELS: &str =
+    "this is a figure; expected models or measured data; grazing figure FILE -o FILE.pdf draws it";
+
+/// Whether a JSON text is a figure spec, which has both of these keys.
+fn is_figure(text: &str) -> bool {
+    let has = |key: &str| text.contains(&format!("\"{key}\""));
+    text.trim_start().starts_with('{') && has("subjects") && has("rows")
 }
 
 /// Reads a JSON file; `None` if the file is something else.
@@ -92,6 +104,9 @@ pub fn open_json(path: &Path) -> Result<Option<Json>, FileError> {
     if session::is_session(&text) {
         return Ok(Some(Json::Session(text)));
     }
+    if is_figure(&text) {
+        return Ok(Some(Json::Figure(text)));
+    }
     let entries = fits::entries(&text).map_err(|what| FileError::new(path, what))?;
     Ok(Some(Json::Models(entries)))
 }
@@ -105,6 +120,7 @@ pub fn open_models(path: &Path) -> Result<Option<Vec<fits::FitEntry>>, FileError
         None => Ok(None),
         Some(Json::Models(entries)) => Ok(Some(entries)),
         Some(Json::Session(_)) => Err(FileError::new(path, session::NO_MODELS)),
+        Some(Json::Figure(_)) => Err(FileError::new(path, FIGURE_HAS_NO_MODELS)),
     }
 }
 

@@ -96,6 +96,24 @@ pub fn describe(info: &AdapterInfo) -> String {
     format!("{} ({:?}{kind}{driver})", info.name, info.backend)
 }
 
+/// Adapter in four lines: name, driver, interface, type.
+pub fn report(info: &AdapterInfo) -> String {
+    let driver = format!("{} {}", info.driver, info.driver_info);
+    let driver = match driver.trim() {
+        "" => "not told",
+        driver => driver,
+    };
+    let kind = match (rank(info), info.device_type) {
+        (Rank::Software | Rank::SoftwareGl, _) => "software",
+        (_, DeviceType::DiscreteGpu) => "discrete GPU",
+        (_, DeviceType::IntegratedGpu) => "integrated GPU",
+        (_, DeviceType::VirtualGpu) => "virtual GPU",
+        (_, DeviceType::Cpu | DeviceType::Other) => "not told",
+    };
+    let (name, backend) = (&info.name, info.backend);
+    format!("adapter  {name}\ndriver   {driver}\nbackend  {backend:?}\ntype     {kind}")
+}
+
 /// wgpu device without a window.
 #[derive(Debug)]
 pub struct Gpu {
@@ -167,5 +185,19 @@ mod tests {
             text.contains("llvmpipe") && text.contains("software"),
             "{text}"
         );
+    }
+
+    #[test]
+    fn a_report_leaves_no_line_empty() {
+        let software = report(&info("llvmpipe", DeviceType::Cpu, Backend::Vulkan));
+        let expected = "adapter  llvmpipe\ndriver   not told\nbackend  Vulkan\ntype     software";
+        assert_eq!(software, expected);
+        let hardware = report(&AdapterInfo {
+            driver: "NVIDIA".into(),
+            driver_info: "570.1".into(),
+            ..info("NVIDIA H200", DeviceType::DiscreteGpu, Backend::Vulkan)
+        });
+        assert!(hardware.contains("\ndriver   NVIDIA 570.1\n"), "{hardware}");
+        assert!(hardware.ends_with("\ntype     discrete GPU"), "{hardware}");
     }
 }

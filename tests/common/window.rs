@@ -39,6 +39,7 @@ pub fn not_fitted_on_opening() -> Prefs {
 /// Dialogs that are closed without an answer.
 pub fn nothing_picked() -> Picker {
     Picker {
+        ready: Arc::new(|| Ok(())),
         open: Arc::new(Vec::new),
         folder: Arc::new(|| None),
         save: Arc::new(|_| None),

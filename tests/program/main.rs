@@ -7,6 +7,7 @@ mod common {
     pub mod merl;
     pub mod program;
     pub mod tables;
+    pub mod wait;
 }
 
 mod cli;

@@ -1,7 +1,7 @@
 //! A job that panics is said once, and the window goes on: one planted panic in each kind of job.
 
 use crate::common::records::write_merl;
-use crate::common::window::{Window, run, settle, window, window_with};
+use crate::common::window::{Window, nothing_picked, run, settle, window, window_with};
 use grazing::app::Picker;
 use grazing::app::command::Command;
 use grazing::app::msg::Msg;
@@ -133,9 +133,8 @@ fn a_preview_and_an_export_go_on() {
     let file = folder.path().join("lobes.svg");
     let to = file.clone();
     let picker = Picker {
-        open: Arc::new(Vec::new),
-        folder: Arc::new(|| None),
         save: Arc::new(move |_| Some(to.clone())),
+        ..nothing_picked()
     };
     let mut window = window_with(vec![], picker);
     window.state().plant_panic("drawing the preview");

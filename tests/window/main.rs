@@ -41,4 +41,5 @@ mod share;
 mod sizes;
 mod slices;
 mod sphere;
+mod start;
 mod tiles;

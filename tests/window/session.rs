@@ -497,15 +497,43 @@ fn an_idle_window_neither_writes_nor_repaints() {
 
 #[test]
 #[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
-fn a_folder_where_nothing_can_be_kept_is_named() {
+fn a_home_where_nothing_can_be_kept_is_told_once_by_what_it_means() {
     let folder = Folder::new();
     let file = folder.path("file");
     fs::write(&file, "").expect("written");
     let below = file.join("autosave");
-    let window = kept_in(&below, &[]);
+    let mut window = kept_in(&below, &[]);
+    set_slider(&mut window, "s", 45.0);
+    window.run_steps(200);
     let state = window.state().state();
-    assert!(said(state, "").ends_with(&format!(": {}", below.display())));
+    let [notice] = state.notices.as_slice() else {
+        panic!("{:?}", state.notices)
+    };
+    assert!(
+        notice
+            .text
+            .contains("Settings and recovery after a crash are off")
+    );
+    assert!(!notice.text.contains(&below.display().to_string()));
     assert_eq!(state.scene.opened.len(), 1);
+}
+
+#[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
+fn what_cannot_be_kept_any_more_is_told_once_until_it_can_be_again() {
+    let folder = Folder::new();
+    let (kept, away) = (folder.path("autosave"), folder.path("away"));
+    let mut window = kept_in(&kept, &[]);
+    fs::rename(&kept, &away).expect("renamed");
+    set_slider(&mut window, "s", 44.0);
+    settle(&mut window, |state| !state.notices.is_empty());
+    said(window.state().state(), "not kept for a crash");
+    set_slider(&mut window, "s", 45.0);
+    window.run_steps(300);
+    fs::rename(&away, &kept).expect("renamed");
+    set_slider(&mut window, "s", 46.0);
+    until_kept(&mut window, &kept);
+    assert_eq!(window.state().state().notices.len(), 1);
 }
 
 /// Where a save is refused, the file that was there stays and the reason is said.

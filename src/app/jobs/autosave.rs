@@ -14,7 +14,6 @@ use crate::app::state::material::{MaterialId, Origin, Presence};
 use crate::app::state::notice::Severity;
 use crate::app::state::session::Crashed;
 use crate::files;
-use crate::files::FileError;
 use crate::files::session::ENDING;
 use std::fs::File;
 use std::path::{Path, PathBuf};
@@ -51,6 +50,8 @@ pub struct Autosave {
     ended: Arc<Mutex<bool>>,
     /// Whether a thread is writing.
     busy: Arc<AtomicBool>,
+    /// Whether the last write failed, which is said once.
+    failed: Arc<AtomicBool>,
     /// State that was written last.
     seen: Option<Seen>,
     /// The time of egui at which what has changed is to be written.
@@ -62,25 +63,19 @@ impl Autosave {
     /// the newest first.
     ///
     /// # Errors
-    /// One line that says why nothing can be kept there.
-    pub fn start(folder: &Path) -> Result<(Self, Vec<Crashed>), FileError> {
-        let cannot = |error: io::Error| {
-            FileError::io(folder, "what is open cannot be kept for a crash", &error)
-        };
-        fs::create_dir_all(folder).map_err(cannot)?;
-        let (gone, crashed) = runs_before(folder).map_err(cannot)?;
+    /// Why nothing can be kept there.
+    pub fn start(folder: &Path) -> io::Result<(Self, Vec<Crashed>)> {
+        fs::create_dir_all(folder)?;
+        let (gone, crashed) = runs_before(folder)?;
         // Held before it has its name: another run must not take it for one that is gone.
         let new = tempfile::Builder::new()
             .prefix("run-")
             .suffix(".new")
-            .tempfile_in(folder)
-            .map_err(cannot)?;
-        new.as_file().lock().map_err(cannot)?;
+            .tempfile_in(folder)?;
+        new.as_file().lock()?;
         let lock_path = new.path().with_extension("lock");
         let file = file_of(&lock_path);
-        let lock = new
-            .persist(&lock_path)
-            .map_err(|error| cannot(error.error))?;
+        let lock = new.persist(&lock_path)?;
         let own = Self {
             lock,
             lock_path,
@@ -88,6 +83,7 @@ impl Autosave {
             _gone: gone,
             ended: Arc::default(),
             busy: Arc::default(),
+            failed: Arc::default(),
             seen: None,
             due: None,
         };
@@ -126,7 +122,7 @@ impl Autosave {
         let file = self.file.clone();
         let (ended, busy) = (Arc::clone(&self.ended), Arc::clone(&self.busy));
         let restored = state.session.restored.clone();
-        let busy = Busy(busy);
+        let (busy, failed) = (Busy(busy), Arc::clone(&self.failed));
         jobs.start(Work::new("keeping what is open", move |send| {
             let _busy = busy;
             let ended = ended.lock().unwrap_or_else(PoisonError::into_inner);
@@ -135,9 +131,16 @@ impl Autosave {
                 let written = files::write_atomically(&file, true, |file| {
                     file.write_all(text.map_err(io::Error::from)?.as_bytes())
                 });
+                let said = failed.swap(written.is_err(), Ordering::AcqRel);
                 match written {
                     Ok(()) => remove_restored(&restored),
-                    Err(error) => send(Msg::Notify(Severity::Error, error.to_string())),
+                    Err(error) if !said => {
+                        send(Msg::Notify(
+                            Severity::Error,
+                            recovery_is_off(&error.reason()),
+                        ));
+                    }
+                    Err(_) => {}
                 }
             }
         }));
@@ -152,6 +155,10 @@ impl Autosave {
         let _ = fs::remove_file(&self.lock_path);
         remove_restored(&state.session.restored);
     }
+}
+
+fn recovery_is_off(why: &str) -> String {
+    format!("What is open is not kept for a crash ({why}). Ctrl+S saves it where you can write.")
 }
 
 /// Whether a job is writing; no longer when this is dropped, by its end or by a panic.

@@ -1,6 +1,6 @@
 //! Tasks of the library.
 
-use crate::app::jobs::dialogs::{NOT_OPENED, Picker, ask, ask_and_write};
+use crate::app::jobs::dialogs::{Picker, Purpose, ask, ask_and_write};
 use crate::app::jobs::scan::Scanner;
 use crate::app::jobs::{Jobs, folder_fit};
 use crate::app::msg::Msg;
@@ -30,14 +30,15 @@ pub fn start(task: LibraryTask, jobs: &Jobs, picker: &Picker) {
             let open = |path, send: &SendMsg| send(Msg::Library(LibraryMsg::Open(path)));
             ask(
                 jobs,
+                picker,
                 "asking for a folder",
-                NOT_OPENED,
+                Purpose::Open,
                 move || folder(),
                 open,
             );
         }
         LibraryTask::Save(fits) => {
-            ask_and_write(jobs, &picker.save, "fits.json".into(), move |file| {
+            ask_and_write(jobs, picker, "fits.json".into(), move |file| {
                 write_json(&fits, file)
             });
         }

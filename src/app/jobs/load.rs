@@ -1,5 +1,6 @@
 //! Reading files and making samples in the background.
 
+use crate::app::msg::command::Command;
 use crate::app::msg::library::LibraryMsg;
 use crate::app::msg::session::SessionMsg;
 use crate::app::msg::work::{SendMsg, Work};
@@ -9,6 +10,7 @@ use crate::app::session::places::find;
 use crate::app::state::job::CancelFlag;
 use crate::app::state::material::Origin;
 use crate::app::state::notice::Severity;
+use crate::export::{FigureSpec, SubjectSource};
 use crate::files;
 use crate::files::fits::MaterialFits;
 use crate::files::{FileError, Json, fits};
@@ -82,6 +84,20 @@ fn read(
                     send(Msg::Session(SessionMsg::Read { job, path, found }));
                     return;
                 }
+                (Ok(Content::Figure(shown)), _) => {
+                    send(Msg::Loaded {
+                        job,
+                        origin: origin.clone(),
+                        result: Err(None),
+                    });
+                    open_each(shown, send);
+                    let name = files::folder::shown_name(path);
+                    let text = format!(
+                        "The data of the figure {name} are opened; grazing figure {name} -o FILE.pdf draws it."
+                    );
+                    send(Msg::Notify(Severity::Info, text));
+                    return;
+                }
                 (Err(_), _) if cancel.is_set() => Err(None),
                 (Err(error), Some(fits)) => {
                     send(Msg::Notify(Severity::Error, error.to_string()));
@@ -103,6 +119,8 @@ enum Content {
     Material(Box<Loaded>),
     Fits(Vec<MaterialFits>),
     Session(Box<session::places::FoundSession>),
+    /// The data that a figure shows.
+    Figure(Vec<Origin>),
     Folder,
 }
 
@@ -126,6 +144,9 @@ fn open_file(
         Table::unmeasured();
         return Ok(Content::Session(Box::new(found)));
     }
+    if let Some(Json::Figure(text)) = &json {
+        return data_of_figure(path, text).map(Content::Figure);
+    }
     if let Some(Json::Models(entries)) = json {
         let fits = fits::by_material(path, entries);
         if fits.iter().any(|fits| fits.found.is_none()) {
@@ -137,4 +158,55 @@ fn open_file(
     let (table, source) = files::open_measured(path, progress)?;
     let loaded = Loaded::new(files::material_name(path), Some(source), table);
     Ok(Content::Material(Box::new(loaded)))
+}
+
+/// Opens samples and files.
+fn open_each(origins: Vec<Origin>, send: &SendMsg) {
+    let mut paths = Vec::new();
+    for origin in origins {
+        match origin {
+            Origin::Sample(index) => send(Msg::Run(Command::OpenSample(index))),
+            Origin::File(path) => paths.push(path),
+        }
+    }
+    if !paths.is_empty() {
+        send(Msg::OpenFiles(paths));
+    }
+}
+
+/// The data that a figure shows, each once; its models have their numbers in the figure alone.
+fn data_of_figure(path: &Path, text: &str) -> Result<Vec<Origin>, FileError> {
+    let error = |what: String| FileError::new(path, what);
+    let spec = FigureSpec::from_json(text).map_err(error)?;
+    let folder = files::absolute(path);
+    let folder = folder.parent().unwrap_or(Path::new(""));
+    let mut found = Vec::new();
+    for subject in spec.subjects {
+        let origin = match &subject.source {
+            SubjectSource::Model(_) => continue,
+            SubjectSource::Sample { key, .. } => {
+                let index = SAMPLES.iter().position(|sample| sample.key == key);
+                Origin::Sample(index.ok_or_else(|| error(format!("unknown sample {key:?}")))?)
+            }
+            SubjectSource::Measured { file, .. } => {
+                let mut places = file.places(folder).into_iter();
+                let place = places.find(|place| place.is_file());
+                let missing = || {
+                    let label = &subject.label;
+                    error(format!(
+                        "the measured file of {label} is missing; put it where the figure says or beside it"
+                    ))
+                };
+                Origin::File(place.ok_or_else(missing)?)
+            }
+        };
+        if !found.contains(&origin) {
+            found.push(origin);
+        }
+    }
+    if found.is_empty() {
+        let what = "this figure shows models only; grazing figure FILE -o FILE.pdf draws it";
+        return Err(error(what.into()));
+    }
+    Ok(found)
 }

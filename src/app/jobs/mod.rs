@@ -23,6 +23,7 @@ use crate::app::state::notice::Severity;
 use std::any::Any;
 use std::collections::{HashMap, VecDeque};
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::mpsc::channel;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -37,6 +38,16 @@ pub fn prepare_threads() {
         .use_current_thread()
         .thread_name(|k| format!("pool {k}"))
         .build_global();
+}
+
+/// The result of `answer`, if it comes within this time. One that comes later is dropped.
+pub fn within<T: Send + 'static>(
+    patience: Duration,
+    answer: impl FnOnce() -> T + Send + 'static,
+) -> Option<T> {
+    let (sender, receiver) = channel();
+    thread::spawn(move || sender.send(answer()));
+    receiver.recv_timeout(patience).ok()
 }
 
 /// Starts jobs.
@@ -191,7 +202,7 @@ fn reason(payload: &(dyn Any + Send)) -> &str {
 mod tests {
     use super::*;
     use crate::app::msg::work::SendMsg;
-    use std::sync::mpsc::{Receiver, channel};
+    use std::sync::mpsc::Receiver;
 
     fn jobs() -> (Jobs, Receiver<Msg>) {
         let (sender, inbox) = Sender::new(egui::Context::default());

@@ -1,7 +1,7 @@
 //! Tasks of sessions.
 
 use crate::app::jobs::Jobs;
-use crate::app::jobs::dialogs::{NOT_OPENED, NOT_SAVED, Picker, ask, saved_notice};
+use crate::app::jobs::dialogs::{Picker, Purpose, ask, saved_notice};
 use crate::app::msg::Msg;
 use crate::app::msg::session::{SessionMsg, SessionTask};
 use crate::app::msg::work::{SendMsg, Work};
@@ -37,8 +37,9 @@ pub fn start(task: SessionTask, jobs: &Jobs, picker: &Picker) {
             };
             ask(
                 jobs,
+                picker,
                 "saving the session",
-                NOT_SAVED,
+                Purpose::Save,
                 move || dialog(&name),
                 chosen,
             );
@@ -49,7 +50,14 @@ pub fn start(task: SessionTask, jobs: &Jobs, picker: &Picker) {
                 send(Msg::Session(SessionMsg::Located(beside(&path, wanted))));
             };
             let first = move || open().into_iter().next();
-            ask(jobs, "asking for a file", NOT_OPENED, first, found);
+            ask(
+                jobs,
+                picker,
+                "asking for a file",
+                Purpose::Open,
+                first,
+                found,
+            );
         }
         SessionTask::Remove(crashed) => {
             jobs.start(Work::new("removing what was left", move |_| {

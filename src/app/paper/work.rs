@@ -1,7 +1,7 @@
 //! Drawing figures in the background: for the preview, for files and for the clipboard.
 
 use crate::app::jobs::Jobs;
-use crate::app::jobs::dialogs::{SavePicker, ask_and_do};
+use crate::app::jobs::dialogs::{Picker, ask_and_do};
 use crate::app::msg::Msg;
 use crate::app::msg::work::Work;
 use crate::app::paper::figure::{Drawable, default_name};
@@ -110,10 +110,10 @@ pub fn export(
     format: FigureFormat,
     name: String,
     jobs: &Jobs,
-    save: &Arc<SavePicker>,
+    picker: &Picker,
 ) {
     let sender = jobs.sender().clone();
-    ask_and_do(jobs, save, name, move |path| {
+    ask_and_do(jobs, picker, name, move |path| {
         // The name may say another format than the dialog.
         let format = FigureFormat::of_path(&path).unwrap_or(format);
         let path = match path.extension() {

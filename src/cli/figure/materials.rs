@@ -1,34 +1,42 @@
-//! Materials with their models, from measured files and fit files; what has no fit is fitted.
+//! Materials with their models, from measured files and fit files or the synthetic ones; what has no fit is fitted.
 
 use crate::brdf::Brdf;
 use crate::cli::CliError;
 use crate::cli::fit::progress::Bar;
 use crate::export::preset::PresetMaterial;
-use crate::export::{OpenedTables, SubjectSource};
+use crate::export::{OpenedTables, SubjectSource, open_from_files};
 use crate::files::fits;
 use crate::files::names::told_apart;
 use crate::files::{self, FileError};
 use crate::fit::options::NO_LIMIT;
 use crate::fit::{self, FitOptions, Problem, Variant, Weight};
-use crate::measured::Table;
+use crate::measured::{SAMPLES, SyntheticMaterial, Table};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// A measured file and the fits that are known of it.
-struct MaterialFiles {
-    path: PathBuf,
+/// A material and the fits that are known of it.
+struct Found {
+    data: Data,
     name: String,
     models: Vec<Brdf>,
 }
 
-/// The materials in the order in which they are named, each with a model per variant.
+/// Where values come from.
+#[derive(PartialEq)]
+enum Data {
+    File(PathBuf),
+    Sample(&'static str),
+}
+
+/// The materials in the order in which they are named, each with a model per variant; the synthetic ones where none is
+/// named.
 pub(super) fn of_files(
     paths: &[PathBuf],
     variants: &[Variant],
     opened: &mut OpenedTables,
 ) -> Result<Vec<PresetMaterial>, CliError> {
-    let mut found: Vec<MaterialFiles> = Vec::new();
+    let mut found: Vec<Found> = Vec::new();
     for path in paths {
         match files::open_models(path)? {
             Some(entries) => {
@@ -39,9 +47,12 @@ pub(super) fn of_files(
             None => drop(at(&mut found, path)),
         }
     }
+    if paths.is_empty() {
+        found.extend(SAMPLES.iter().map(Found::sample));
+    }
     let named: Vec<_> = found
         .iter()
-        .map(|found| (found.name.clone(), Some(found.path.clone())))
+        .map(|found| (found.name.clone(), Some(found.place())))
         .collect();
     for (found, name) in found.iter_mut().zip(told_apart(&named)) {
         found.name = name;
@@ -49,20 +60,39 @@ pub(super) fn of_files(
     let mut bar = Bar::new(found.len(), variants);
     let mut materials = Vec::new();
     for (index, found) in found.into_iter().enumerate() {
-        bar.file(index, &found.path);
+        bar.file(index, &found.place());
         materials.push(material(found, variants, opened, &mut bar)?);
     }
     bar.finish();
     Ok(materials)
 }
 
+impl Found {
+    fn sample(sample: &SyntheticMaterial) -> Self {
+        Self {
+            data: Data::Sample(sample.key),
+            name: sample.name.to_owned(),
+            models: Vec::new(),
+        }
+    }
+
+    /// The file, or the name of a synthetic material: for messages.
+    fn place(&self) -> PathBuf {
+        match &self.data {
+            Data::File(path) => path.clone(),
+            Data::Sample(key) => key.into(),
+        }
+    }
+}
+
 /// The place of a file among those found, which it is added to where it is new. Two names of one file are two materials.
-fn at<'a>(found: &'a mut Vec<MaterialFiles>, path: &Path) -> &'a mut MaterialFiles {
+fn at<'a>(found: &'a mut Vec<Found>, path: &Path) -> &'a mut Found {
     let path = files::named_place(path);
-    let index = found.iter().position(|found| found.path == path);
+    let data = Data::File(path.clone());
+    let index = found.iter().position(|found| found.data == data);
     let index = index.unwrap_or_else(|| {
-        found.push(MaterialFiles {
-            path: path.clone(),
+        found.push(Found {
+            data,
             name: files::material_name(&path),
             models: Vec::new(),
         });
@@ -72,7 +102,7 @@ fn at<'a>(found: &'a mut Vec<MaterialFiles>, path: &Path) -> &'a mut MaterialFil
 }
 
 fn add_fits(
-    found: &mut Vec<MaterialFiles>,
+    found: &mut Vec<Found>,
     path: &Path,
     fits: &fits::MaterialFits,
 ) -> Result<(), FileError> {
@@ -92,25 +122,35 @@ fn add_fits(
 }
 
 fn material(
-    found: MaterialFiles,
+    found: Found,
     variants: &[Variant],
     opened: &mut OpenedTables,
     bar: &mut Bar,
 ) -> Result<PresetMaterial, CliError> {
-    let (table, file) = files::open_measured(&found.path, &mut |_| ControlFlow::Continue(()))?;
-    let table = Arc::new(table);
-    let place = file.places(Path::new(""));
-    opened.insert(place[0].clone(), Arc::clone(&table));
+    let (table, source) = match &found.data {
+        Data::File(path) => {
+            let (table, file) = files::open_measured(path, &mut |_| ControlFlow::Continue(()))?;
+            let table = Arc::new(table);
+            let place = file.places(Path::new(""));
+            opened.insert(place[0].clone(), Arc::clone(&table));
+            (table, SubjectSource::measured(file))
+        }
+        Data::Sample(key) => {
+            let source = SubjectSource::sample(key);
+            let table = open_from_files(&source, Path::new(""), false, opened)?;
+            (table, source)
+        }
+    };
     let models = models(&found, &table, variants, bar)?;
     Ok(PresetMaterial {
         name: found.name,
-        source: SubjectSource::measured(file),
+        source,
         models,
     })
 }
 
 fn models(
-    found: &MaterialFiles,
+    found: &Found,
     table: &Table,
     variants: &[Variant],
     bar: &mut Bar,
@@ -129,7 +169,7 @@ fn models(
     let mut fitted = Vec::new();
     if !missing.is_empty() {
         let problem = Problem::new(table, Weight::default(), NO_LIMIT)
-            .map_err(|error| FileError::new(&found.path, error.to_string()))?;
+            .map_err(|error| FileError::new(&found.place(), error.to_string()))?;
         let watch = &mut |position: usize, progress: &fit::FitProgress| {
             bar.progress(position, progress);
             ControlFlow::Continue(())

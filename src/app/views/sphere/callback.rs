@@ -1,5 +1,6 @@
 //! The sphere pass inside egui's picture: a paint callback, and what it keeps on the GPU between frames.
 
+use crate::app::msg::work::Work;
 use crate::app::state::State;
 use crate::app::state::material::{Material, MaterialId, Opened, Presence};
 use crate::app::views::sphere::settings::SphereSettings;
@@ -44,17 +45,15 @@ impl Half {
     }
 }
 
-/// Prepares the renderer, once. Pipelines take long to compile: meanwhile the window opens and a material is read.
-pub fn install(render_state: &RenderState) {
+/// Prepares the renderer, once. Pipelines take long to compile: that is work for the time in which a material is read. A
+/// sphere that is shown sooner compiles them itself.
+pub fn install(render_state: &RenderState) -> Work {
     let format = render_state.target_format;
     let pass = Arc::new(OnceLock::new());
     let (making, device) = (Arc::clone(&pass), render_state.device.clone());
-    // Where no thread can be started, the first frame with a sphere makes it.
-    let _ = std::thread::Builder::new()
-        .name("sphere".into())
-        .spawn(move || {
-            making.get_or_init(|| SpherePass::new(&device, format));
-        });
+    let work = Work::new("preparing the sphere", move |_| {
+        making.get_or_init(|| SpherePass::new(&device, format));
+    });
     let kept = SphereResources {
         format,
         pass,
@@ -66,6 +65,7 @@ pub fn install(render_state: &RenderState) {
         .write()
         .callback_resources
         .insert(kept);
+    work
 }
 
 /// Adds a sphere to the picture.
