@@ -23,15 +23,7 @@ pub fn run(files: Vec<PathBuf>) -> Result<(), String> {
     catch_missing_libraries();
     let options = eframe::NativeOptions {
         event_loop_builder: event_loop_hook()?,
-        viewport: egui::ViewportBuilder::default()
-            .with_title("Grazing")
-            .with_app_id("grazing")
-            .with_inner_size([1280.0, 800.0])
-            .with_min_inner_size([640.0, 360.0])
-            .with_icon(icon())
-            .with_drag_and_drop(true),
-        wgpu_options: wgpu_options(),
-        ..Default::default()
+        ..native_options()
     };
     let start = WindowOptions {
         files,
@@ -45,6 +37,21 @@ pub fn run(files: Vec<PathBuf>) -> Result<(), String> {
         Box::new(|cc| Ok(Box::new(App::new(cc, start)?))),
     )
     .map_err(|error| explain(Failure::of(&error), &error.to_string()))
+}
+
+/// Size, icon and graphics adapter of the window.
+pub fn native_options() -> eframe::NativeOptions {
+    eframe::NativeOptions {
+        viewport: egui::ViewportBuilder::default()
+            .with_title("Grazing")
+            .with_app_id("grazing")
+            .with_inner_size([1280.0, 800.0])
+            .with_min_inner_size([640.0, 360.0])
+            .with_icon(icon())
+            .with_drag_and_drop(true),
+        wgpu_options: wgpu_options(),
+        ..Default::default()
+    }
 }
 
 /// Way to X11 where the environment names a Wayland display that does not answer.
