@@ -15,7 +15,7 @@ const MATTE: f64 = 4.0;
 const GLOSSY: f64 = 40.0;
 
 /// Factor by which the highest lobe may exceed the next one before it is clipped: on a linear axis, on one by the
-/// cube root. A logarithm has room for all.
+/// cube root.
 const CLIPPED: (f64, f64) = (2.5, 3.0);
 
 /// Factor by which a lobe may rise beyond 80° for the axis to hold that too.
@@ -118,7 +118,8 @@ impl Profile {
         let clipped = match scale {
             RadialScale::Linear => CLIPPED.0,
             RadialScale::CubeRoot => CLIPPED.1,
-            RadialScale::Log => f64::INFINITY,
+            // It has room for all.
+            RadialScale::Log => return self.peaks.iter().fold(0.0, |most, peak| most.max(peak.1)),
         };
         let next = highest.checked_sub(1).map(|next| self.peaks[next]);
         let (peak, with_grazing) = next
