@@ -125,3 +125,40 @@ pub enum Theme {
     /// Dark.
     Dark,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::state::side_panels::Side;
+
+    #[test]
+    fn preferences_outlive_the_window_and_those_of_an_older_one_are_read() {
+        let mut prefs = Prefs {
+            zoom: Zoom::default().larger(),
+            fit_on_opening: FitOnOpening(false),
+            theme: Theme::Dark,
+            ..Prefs::default()
+        };
+        prefs.panels.toggle(Side::Library);
+        let text = serde_json::to_string(&prefs).expect("JSON");
+        assert_eq!(serde_json::from_str::<Prefs>(&text).expect("read"), prefs);
+        // One from before there were panels that fold, sizes and fits on opening.
+        let mut old: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        for key in ["panels", "zoom", "fit_on_opening"] {
+            assert!(
+                old.as_object_mut()
+                    .expect("an object")
+                    .remove(key)
+                    .is_some()
+            );
+        }
+        let read: Prefs = serde_json::from_value(old).expect("read");
+        let usual = Prefs::default();
+        assert_eq!(read.theme, Theme::Dark);
+        assert_eq!((read.panels, read.zoom), (usual.panels, usual.zoom));
+        assert!(read.fit_on_opening.0);
+        // A size at which nothing can be read is brought to one at which it can.
+        assert_eq!(Zoom::from(3), Zoom::from(50));
+        assert_eq!(Zoom::from(u32::MAX), Zoom::from(300));
+    }
+}
