@@ -1,9 +1,8 @@
 //! The window as pictures. `UPDATE_SNAPSHOTS=1 cargo test --test window look` accepts what is drawn now.
 
-use crate::common::window::{
-    Window, not_fitted_on_opening, nothing_picked, run, send, settings, settle,
-};
+use crate::common::window::{Window, run, send, settings, settle, with_answers};
 use egui_kittest::{Harness, SnapshotOptions};
+use grazing::app::App;
 use grazing::app::command::Command;
 use grazing::app::msg::Msg;
 use grazing::app::state::layout::Tiles;
@@ -14,7 +13,6 @@ use grazing::app::views::disc::work::DiscQuery;
 use grazing::app::views::error_map::work::ErrorMapQuery;
 use grazing::app::views::landscape::work::LandscapeQuery;
 use grazing::app::views::sphere::settings::{Show, SphereSettings};
-use grazing::app::{App, WindowOptions};
 
 fn window(theme: Theme) -> Window {
     window_of(theme, [1280.0, 800.0])
@@ -24,18 +22,7 @@ fn window_of(theme: Theme, size: [f32; 2]) -> Window {
     let mut window = Harness::builder()
         .with_size(size)
         .wgpu()
-        .build_eframe(|cc| {
-            App::new(
-                cc,
-                WindowOptions {
-                    files: vec![],
-                    picker: nothing_picked(),
-                    autosave: None,
-                    prefs: not_fitted_on_opening(),
-                },
-            )
-            .expect("a renderer")
-        });
+        .build_eframe(|cc| App::new(cc, with_answers(&[], None, None)).expect("a renderer"));
     settle(&mut window, |state| state.current().is_some());
     run(&mut window, Command::UseTheme(theme));
     window

@@ -6,22 +6,20 @@
 use crate::common::folder::Folder;
 use crate::common::records::{combined, only_named, record, write_fits, write_merl};
 use crate::common::window::{
-    Window, click, not_fitted_on_opening, nothing_picked, run, send, set_slider, settle, settle_on,
-    window_with_boxes, with_answers,
+    Window, click, run, send, set_slider, settle, settle_on, window_with_boxes, with_answers,
 };
 use eframe::App as _;
+use grazing::app::WindowOptions;
 use grazing::app::command::Command;
 use grazing::app::msg::Msg;
 use grazing::app::state::State;
 use grazing::app::state::layout::Tiles;
 use grazing::app::state::prefs::Prefs;
-use grazing::app::{Picker, WindowOptions};
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::fs;
 use std::os::unix::ffi::OsStrExt as _;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 fn name(bytes: &[u8]) -> &Path {
     Path::new(OsStr::from_bytes(bytes))
@@ -191,15 +189,10 @@ fn after_a_crash_the_file_and_the_name_of_the_session_come_back() {
     let kept = folder.path(name(b"k\xe9pt"));
     let session = folder.path(name(b"\xfcber.grazing.json"));
     let start = |files: Vec<PathBuf>| {
-        let session = session.clone();
         let mut window = window_with_boxes(WindowOptions {
             files,
-            picker: Picker {
-                save: Arc::new(move |_| Some(session.clone())),
-                ..nothing_picked()
-            },
             autosave: Some(kept.clone()),
-            prefs: not_fitted_on_opening(),
+            ..with_answers(&[], None, Some(&session))
         });
         send(&mut window, Msg::SetLayout(Tiles::none()));
         window

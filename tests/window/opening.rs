@@ -2,7 +2,7 @@
 
 use crate::common::folder::Folder;
 use crate::common::records::{combined, only_named, record, write_fits, write_merl};
-use crate::common::window::{Window, nothing_picked, run, settle, window_of};
+use crate::common::window::{Window, run, settle, window_of, with_answers};
 use egui_kittest::kittest::Queryable;
 use grazing::app::WindowOptions;
 use grazing::app::command::Command;
@@ -14,9 +14,8 @@ use std::path::PathBuf;
 fn new_window(files: Vec<PathBuf>) -> Window {
     window_of(WindowOptions {
         files,
-        picker: nothing_picked(),
-        autosave: None,
         prefs: Prefs::default(),
+        ..with_answers(&[], None, None)
     })
 }
 

@@ -36,10 +36,8 @@ fn with_dialogs(files: &[&Path], open: Option<&Path>, save: Option<&Path>) -> Wi
 /// Without tiles, as only time must pass.
 fn kept_in(folder: &Path, files: &[&Path]) -> Window {
     let mut window = window_of(WindowOptions {
-        files: files.iter().map(|file| file.to_path_buf()).collect(),
-        picker: nothing_picked(),
         autosave: Some(folder.to_owned()),
-        prefs: not_fitted_on_opening(),
+        ..with_answers(files, None, None)
     });
     send(&mut window, Msg::SetLayout(Tiles::none()));
     window

@@ -7,7 +7,7 @@ use crate::app::panels::sides::fold_ui;
 use crate::app::panels::{lesson, params};
 use crate::app::state::State;
 use crate::app::state::side_panels::Side;
-use crate::app::widgets::controls::tick_ui;
+use crate::app::widgets::controls::{command_choice_ui, tick_ui};
 use crate::app::widgets::formula;
 use crate::app::widgets::paint::rich_text_job;
 use crate::brdf::Brdf;
@@ -68,15 +68,8 @@ fn choices_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
                 .iter()
                 .filter(|e| e.menu == "Model" && e.submenu == submenu)
             {
-                let checked = entry.command.is_checked(state).unwrap_or(false);
-                let response = ui.selectable_label(checked, &*entry.name);
-                if response
-                    .on_hover_text(entry.command.hint(ui.ctx()))
-                    .clicked()
-                    && !checked
-                {
-                    out.push(Msg::Run(entry.command));
-                }
+                let chosen = entry.command.is_checked(state).unwrap_or(false);
+                command_choice_ui(ui, entry.command, &entry.name, chosen, out);
             }
         });
     }

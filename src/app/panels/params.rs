@@ -70,8 +70,7 @@ fn color_ui(ui: &mut Ui, row: &Param, opened: &Opened, rgb: Rgb, out: &mut Vec<M
             name
         });
         let hue = hue(ui, (opened, row.id), rgb);
-        let brightness = rgb[0].max(rgb[1]).max(rgb[2]);
-        if let Some(value) = slider_ui(ui, row, row.key, &name, brightness) {
+        if let Some(value) = slider_ui(ui, row, row.key, &name, largest(rgb)) {
             out.push(Msg::SetColor {
                 id: row.id,
                 rgb: hue.map(|share| share * value),
@@ -115,10 +114,15 @@ fn color_ui(ui: &mut Ui, row: &Param, opened: &Opened, rgb: Rgb, out: &mut Vec<M
     });
 }
 
+/// The brightness that a colour's slider sets.
+fn largest([r, g, b]: Rgb) -> f64 {
+    r.max(g).max(b)
+}
+
 /// The colour over its largest channel. Black has none: it keeps the one that it was darkened from.
 fn hue(ui: &Ui, (opened, param): (&Opened, ParamId), rgb: Rgb) -> Rgb {
     let id = Id::unique(("hue", opened.id, param));
-    let largest = rgb[0].max(rgb[1]).max(rgb[2]);
+    let largest = largest(rgb);
     if largest > 0.0 {
         let hue = rgb.map(|value| value / largest);
         ui.data_mut(|data| data.insert_temp(id, hue));
@@ -187,7 +191,7 @@ fn slider_ui(ui: &mut Ui, row: &Param, label: &str, name: &Response, value: f64)
 
 /// The colour as bright as its largest channel allows, with a wedge that points to its channels.
 fn swatch_ui(ui: &mut Ui, row: &Param, rgb: Rgb, open: bool) -> Response {
-    let largest = rgb[0].max(rgb[1]).max(rgb[2]).max(1.0);
+    let largest = largest(rgb).max(1.0);
     let [r, g, b] = srgb_bytes(rgb.map(|value| value / largest));
     let size = vec2(24.0, ui.spacing().interact_size.y);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());

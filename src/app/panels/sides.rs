@@ -27,10 +27,7 @@ pub fn sides_ui(ui: &mut Ui, state: &State, out: &mut Vec<Msg>) {
             .size_range(150.0..=420.0)
             .show(ui, |ui| library::library_ui(ui, state, out));
     } else {
-        let strip = Panel::left("library strip")
-            .exact_size(STRIP)
-            .resizable(false);
-        strip.show(ui, |ui| strip_ui(ui, Side::Library, out));
+        folded_ui(ui, Panel::left("library strip"), Side::Library, out);
     }
     if state.prefs.panels.is_open(Side::Model) || looked_at(state).is_some() {
         // A narrow window has no room to give: the panel takes its share, and is not resized.
@@ -46,10 +43,7 @@ pub fn sides_ui(ui: &mut Ui, state: &State, out: &mut Vec<Msg>) {
         };
         panel.show(ui, |ui| right_ui(ui, state, out));
     } else {
-        let strip = Panel::right("model strip")
-            .exact_size(STRIP)
-            .resizable(false);
-        strip.show(ui, |ui| strip_ui(ui, Side::Model, out));
+        folded_ui(ui, Panel::right("model strip"), Side::Model, out);
     }
 }
 
@@ -63,6 +57,11 @@ fn looked_at(state: &State) -> Option<SideTab> {
     model
         .any(|what| state.looks_at(what))
         .then_some(SideTab::Model)
+}
+
+fn folded_ui(ui: &mut Ui, panel: Panel, side: Side, out: &mut Vec<Msg>) {
+    let strip = panel.exact_size(STRIP).resizable(false);
+    strip.show(ui, |ui| strip_ui(ui, side, out));
 }
 
 /// A folded panel: its name from below to above; a click opens it.

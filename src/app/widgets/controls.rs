@@ -1,5 +1,7 @@
 //! Controls that several tiles have.
 
+use crate::app::command::Command;
+use crate::app::msg::Msg;
 use crate::app::state::State;
 use crate::app::state::probe::Probe;
 use crate::app::widgets::formula::number;
@@ -71,6 +73,20 @@ pub fn tick_ui(ui: &mut egui::Ui, on: &mut bool, markup: &str, name: &str) -> eg
     let (is_enabled, is_on) = (ui.is_enabled(), *on);
     tick.widget_info(|| egui::WidgetInfo::selected(egui::Role::CheckBox, is_enabled, is_on, name));
     tick
+}
+
+/// One of several choices that commands make; `chosen` where it is the one that is shown.
+pub fn command_choice_ui(
+    ui: &mut egui::Ui,
+    command: Command,
+    name: &str,
+    chosen: bool,
+    out: &mut Vec<Msg>,
+) {
+    let response = ui.selectable_label(chosen, name);
+    if response.on_hover_text(command.hint(ui.ctx())).clicked() && !chosen {
+        out.push(Msg::Run(command));
+    }
 }
 
 /// A symbol such as `θ_{i}`.

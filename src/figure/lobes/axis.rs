@@ -26,16 +26,19 @@ const ROOM: f64 = 1.08;
 
 /// One axis for all curves.
 pub(super) fn axis_for(spec: &LobeSpec, subjects: &[Subject], traces: &[Trace]) -> Axis {
-    let chosen = Profile::of(spec, subjects, traces);
-    let law = || chosen.as_ref().map_or(RadialScale::Linear, Profile::scale);
+    let profile = match spec.scale {
+        LobeScale::Auto => Profile::of(spec, subjects, traces),
+        _ => None,
+    };
+    let law = || profile.as_ref().map_or(RadialScale::Linear, Profile::scale);
     let scale = spec.scale.law().unwrap_or_else(law);
     if let Some([low, high]) = spec.limits {
         // Only a logarithm begins above 0; the limits may have been set on another scale.
         let low = if scale == RadialScale::Log { low } else { 0.0 };
         return Axis::between(scale, low, high);
     }
-    if let (LobeScale::Auto, Some(chosen)) = (spec.scale, chosen) {
-        return chosen.axis(scale);
+    if let Some(profile) = profile {
+        return profile.axis(scale);
     }
     let values = || traces.iter().flat_map(Trace::values);
     let limit = nice_limit(values().fold(0.0, f64::max));

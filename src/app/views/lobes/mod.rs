@@ -43,13 +43,8 @@ fn toolbar_ui(ui: &mut egui::Ui, tile: &LobeSettings, out: &mut Vec<Msg>) {
     toolbar::row_ui(ui, |bar| {
         bar.group(|ui| {
             for scale in LOBE_SCALES {
-                let response = ui.selectable_label(tile.scale == scale, scale.name());
-                if response
-                    .on_hover_text(Command::UseScale(scale).hint(ui.ctx()))
-                    .clicked()
-                {
-                    out.push(Msg::Run(Command::UseScale(scale)));
-                }
+                let (command, chosen) = (Command::UseScale(scale), tile.scale == scale);
+                controls::command_choice_ui(ui, command, scale.name(), chosen, out);
             }
         });
         bar.section(|ui| {

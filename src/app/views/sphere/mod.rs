@@ -12,7 +12,7 @@ use crate::app::state::State;
 use crate::app::state::probe::{Probe, same};
 use crate::app::views::sphere::callback::Half;
 use crate::app::views::sphere::settings::{SHOWS, Show, SphereSettings};
-use crate::app::widgets::{empty, probe, toolbar, zoom};
+use crate::app::widgets::{controls, empty, probe, toolbar, zoom};
 use crate::geom::HalfDiff;
 use crate::geom::limits::MAX_EXPOSURE_STOPS;
 use crate::geom::sight::Sight;
@@ -23,6 +23,8 @@ use egui::{Align2, Color32, CursorIcon, FontId, Pos2, Rect, Sense, Stroke, Vec2,
 
 /// Largest distance in points at which the pointer takes the split line.
 const GRAB: f32 = 7.0;
+/// Width in points below which the two captions of a split sphere would lie over each other.
+const BOTH_CAPTIONS: f32 = 132.0;
 /// Largest distance from a highlight, in sphere radii, at which a drag takes that light rather than the first one.
 const NEAR_HIGHLIGHT: f64 = 0.35;
 
@@ -70,13 +72,8 @@ fn toolbar_ui(ui: &mut egui::Ui, state: &State, tile: &SphereSettings, out: &mut
     toolbar::row_ui(ui, |bar| {
         for show in SHOWS {
             bar.group(|ui| {
-                let response = ui.selectable_label(tile.show == show, show.name());
-                if response
-                    .on_hover_text(Command::UseShow(show).hint(ui.ctx()))
-                    .clicked()
-                {
-                    out.push(Msg::Run(Command::UseShow(show)));
-                }
+                let (command, chosen) = (Command::UseShow(show), tile.show == show);
+                controls::command_choice_ui(ui, command, show.name(), chosen, out);
             });
         }
         bar.section(|ui| {
@@ -197,8 +194,7 @@ fn caption(ui: &egui::Ui, sphere: &SphereOnScreen) {
     let put = |at: Pos2, align: Align2, text: &str| word(ui, at, align, text, 13.0);
     let rect = sphere.frame;
     match sphere.half {
-        // Below that width one would lie over the other.
-        Half::Split(_) if rect.width() < 2.2 * 60.0 => {}
+        Half::Split(_) if rect.width() < BOTH_CAPTIONS => {}
         Half::Split(_) => {
             put(rect.left_top(), Align2::LEFT_TOP, "measured");
             put(rect.right_top(), Align2::RIGHT_TOP, "model");
