@@ -38,3 +38,4 @@ pub mod geom;
 pub mod gpu;
 mod keys;
 pub mod measured;
+mod signals;

@@ -2,6 +2,7 @@
 
 pub mod command;
 pub mod guide;
+mod input;
 pub mod jobs;
 pub mod lessons;
 pub mod msg;
@@ -15,12 +16,11 @@ mod tasks;
 pub mod views;
 pub mod widgets;
 
-use crate::app::command::ENTRIES;
 use crate::app::jobs::autosave::Autosave;
 use crate::app::jobs::fonts::LackingLetters;
 use crate::app::jobs::sender::Sender;
 use crate::app::jobs::{Jobs, prepare_threads};
-use crate::app::msg::session::SessionMsg;
+use crate::app::msg::session::{Close, SessionMsg};
 use crate::app::msg::{Msg, Task};
 use crate::app::panels::tiles::tiles_ui;
 use crate::app::panels::{dialogs, lesson, menu, notices, sides, status};
@@ -29,8 +29,9 @@ use crate::app::state::State;
 use crate::app::state::layout::Tiles;
 use crate::app::state::notice::Severity;
 use crate::app::state::prefs::{Prefs, Theme, Zoom};
+use crate::app::state::session::Closing;
+use crate::app::state::session_mark::is_unsaved;
 use crate::app::tasks::Tools;
-use egui::{Key, KeyboardShortcut, Modifiers};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::Receiver;
@@ -120,9 +121,11 @@ impl App {
         if let Some(folder) = options.autosave {
             app.keep_for_a_crash(&cc.egui_ctx, &folder);
         }
+        let left = app.state.session.crashed.first();
         let first = match options.files {
-            files if files.is_empty() => Msg::Run(command::Command::OpenSample(0)),
-            files => Msg::OpenFiles(files),
+            files if !files.is_empty() => Msg::OpenFiles(files),
+            _ if left.is_some_and(|left| left.by_system) => Msg::Session(SessionMsg::Restore),
+            _ => Msg::Run(command::Command::OpenSample(0)),
         };
         app.handle(&cc.egui_ctx, first);
         Ok(app)
@@ -131,6 +134,19 @@ impl App {
     /// Lets the next job panic whose words contain `doing`: for tests.
     pub fn plant_panic(&self, doing: &str) {
         self.tools.jobs.plant_panic(doing);
+    }
+
+    /// Answer to the end of the program by the system: tells the window to keep what is open and to close.
+    pub fn on_end(&self) -> impl Fn() + Send + use<> {
+        let sender = self.tools.jobs.sender().clone();
+        let run = self.autosave.as_ref().map(Autosave::run);
+        move || {
+            // First, as a window that is hidden may not get to it.
+            if let Some(run) = &run {
+                run.mark_ended_by_system();
+            }
+            sender.send(Msg::Session(SessionMsg::Close(Close::BySystem)));
+        }
     }
 
     /// State of the window, for tests.
@@ -235,9 +251,12 @@ impl eframe::App for App {
             self.handle(&ctx, Msg::Narrow(narrow));
         }
         self.start_held(&ctx);
+        if ctx.input(|input| input.viewport().close_requested()) {
+            self.handle(&ctx, Msg::Session(SessionMsg::Close(Close::Ask)));
+        }
         let mut out: Vec<Msg> = self.inbox.try_iter().collect();
-        shortcuts(&ctx, &self.state, &mut out);
-        dropped_files(&ctx, &mut out);
+        input::shortcuts(&ctx, &self.state, &mut out);
+        input::dropped_files(&ctx, &mut out);
         self.panels_ui(ui, &mut out);
         let lacking = self.lacking.take();
         if !lacking.is_empty() {
@@ -285,89 +304,16 @@ impl eframe::App for App {
             run.cancel.set();
         }
         self.tools.jobs.wait(PATIENCE);
-        if let Some(autosave) = &mut self.autosave {
-            autosave.end(&self.state);
+        let Some(autosave) = &mut self.autosave else {
+            return;
+        };
+        match self.state.session.closing {
+            Closing::Yes => autosave.end(&self.state),
+            Closing::BySystem => autosave.keep(&self.state),
+            // Nobody was asked: a display that is gone, say.
+            _ if is_unsaved(&self.state) => autosave.keep(&self.state),
+            _ => autosave.end(&self.state),
         }
-    }
-}
-
-/// Runs the commands whose keys were pressed. A field that is being edited keeps the keys it understands.
-fn shortcuts(ctx: &egui::Context, state: &State, out: &mut Vec<Msg>) {
-    let typing = ctx.egui_wants_keyboard_input();
-    // "+" is Shift and "=" on many keyboards: without Shift it means the same.
-    if ctx.input_mut(|input| input.consume_key(Modifiers::COMMAND, Key::Equals)) {
-        out.push(Msg::Run(command::Command::ZoomIn));
-    }
-    let mut entries: Vec<_> = ENTRIES
-        .iter()
-        .filter_map(|entry| Some((entry, entry.keys?)))
-        .collect();
-    // Ctrl+Z also matches while Shift is held, so the longer combinations go first.
-    entries.sort_by_key(|(_, keys)| std::cmp::Reverse(usize::from(keys.modifiers.shift)));
-    for (entry, keys) in entries {
-        if keys == COPY {
-            if !typing && entry.command.is_enabled(state) && copy_pressed(ctx) {
-                out.push(Msg::Run(entry.command));
-            }
-            continue;
-        }
-        let bare = keys.modifiers.is_none();
-        let kept = typing && (entry.menu == "Edit" || bare);
-        // A bare key such as Esc has other uses where its command has none.
-        let elsewhere = bare && (egui::Popup::is_any_open(ctx) || !entry.command.is_enabled(state));
-        if !kept
-            && !elsewhere
-            && ctx.input_mut(|input| input.consume_shortcut(&keys))
-            && entry.command.is_enabled(state)
-        {
-            out.push(Msg::Run(entry.command));
-        }
-    }
-}
-
-/// The keys that the system tells as a wish to copy rather than as keys.
-const COPY: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::C);
-
-/// Takes the wish to copy, unless text is selected that it means.
-fn copy_pressed(ctx: &egui::Context) -> bool {
-    let selected = ctx
-        .plugin::<egui::text_selection::LabelSelectionState>()
-        .lock()
-        .has_selection();
-    !selected
-        && ctx.input_mut(|input| {
-            let before = input.events.len();
-            input.events.retain(|event| *event != egui::Event::Copy);
-            input.events.len() < before
-        })
-}
-
-fn dropped_files(ctx: &egui::Context, out: &mut Vec<Msg>) {
-    let (paths, hovering) = ctx.input(|input| {
-        let dropped = &input.raw.dropped_files;
-        let paths: Vec<PathBuf> = dropped
-            .iter()
-            .map(|file| file.path().to_path_buf())
-            .collect();
-        (paths, !input.raw.hovered_files.is_empty())
-    });
-    if !paths.is_empty() {
-        out.push(Msg::OpenFiles(paths));
-    }
-    if hovering {
-        let rect = ctx.content_rect();
-        let painter = ctx.layer_painter(egui::LayerId::new(
-            egui::Order::Foreground,
-            egui::Id::unique("drop"),
-        ));
-        painter.rect_filled(rect, 0.0, egui::Color32::from_black_alpha(160));
-        painter.text(
-            rect.center(),
-            egui::Align2::CENTER_CENTER,
-            "Drop MERL files, fit files, a session or a folder to open them",
-            egui::FontId::proportional(24.0),
-            egui::Color32::WHITE,
-        );
     }
 }
 

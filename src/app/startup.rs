@@ -8,12 +8,18 @@ use crate::app::jobs::dialogs::Picker;
 use crate::app::state::prefs::Prefs;
 use crate::app::{App, WindowOptions};
 use crate::gpu::adapter;
+use crate::signals;
 use eframe::egui_wgpu;
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::thread;
+use std::time::Duration;
 use words::{Failure, explain};
 
 pub use words::APT_LINE;
+
+/// Longest time that the window has to close where the system ends the program.
+const TIME_TO_CLOSE: Duration = Duration::from_secs(4);
 
 /// Opens the window with these files and returns when it is closed.
 ///
@@ -34,7 +40,15 @@ pub fn run(files: Vec<PathBuf>) -> Result<(), String> {
     eframe::run_native(
         "grazing",
         options,
-        Box::new(|cc| Ok(Box::new(App::new(cc, start)?))),
+        Box::new(|cc| {
+            let app = App::new(cc, start)?;
+            let end = app.on_end();
+            signals::watch(move || {
+                end();
+                thread::sleep(TIME_TO_CLOSE);
+            });
+            Ok(Box::new(app))
+        }),
     )
     .map_err(|error| explain(Failure::of(&error), &error.to_string()))
 }

@@ -15,6 +15,7 @@ mod table;
 use crate::app;
 use crate::files::FileError;
 use crate::gpu;
+use crate::signals;
 use clap::error::ErrorKind as UsageError;
 use clap::{CommandFactory as _, Parser, Subcommand};
 use std::fmt::Display;
@@ -77,6 +78,9 @@ pub fn command() -> clap::Command {
 pub fn main() -> ExitCode {
     // Usage errors, --help and --version end here, with 2 or 0.
     let cli = Cli::parse();
+    if cli.command.is_some() {
+        signals::watch(|| {});
+    }
     let mut out = io::BufWriter::new(io::stdout().lock());
     let result = match &cli.command {
         None if cli.adapter => adapter(&mut out),

@@ -11,6 +11,7 @@ mod open;
 pub mod path_text;
 mod paths;
 pub mod session;
+mod temporary;
 mod write;
 
 pub use error::FileError;
@@ -21,4 +22,5 @@ pub use open::{
     open_source, open_table, read_text,
 };
 pub use paths::{absolute, last_name, material_name, named_place, place};
-pub use write::{check_writable, write_atomically};
+pub use temporary::{PREFIX as TEMPORARY_PREFIX, remove_unfinished};
+pub use write::{Whole, check_writable, prepare_and_fill, write_atomically};

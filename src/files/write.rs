@@ -1,13 +1,13 @@
 //! Atomic writing of whole files.
 
 use super::error::FileError;
+use super::temporary::Temporary;
 use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-use tempfile::NamedTempFile;
 
-/// Writes a file under a temporary name in its folder and renames it when it is complete: no half-written file is ever
-/// visible, and an existing file is kept when anything fails. An existing file is refused unless `force`.
+/// Writes a file out of sight and puts it in its place when it is complete: no half-written file is ever visible, and an
+/// existing file is kept when anything fails. An existing file is refused unless `force`.
 ///
 /// # Errors
 /// Says in one line what is wrong and, last, the path.
@@ -16,29 +16,66 @@ pub fn write_atomically(
     force: bool,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), FileError> {
-    let failed = |error: &io::Error| FileError::io(path, "cannot write the file", error);
+    prepare_and_fill(path, force, write)?.place()
+}
+
+/// Writes a file out of sight, down to the disk, for [`Whole::place`].
+///
+/// # Errors
+/// Errors of [`write_atomically`].
+pub fn prepare_and_fill(
+    path: &Path,
+    force: bool,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<Whole, FileError> {
+    let failed = |error: &io::Error| cannot_write(path, error);
     let (target, before, mut file) = prepare(path, force)?;
-    let mut buffered = BufWriter::new(file.as_file_mut());
+    let mut buffered = BufWriter::new(file.file());
     write(&mut buffered)
         .and_then(|()| buffered.flush())
         .map_err(|error| failed(&error))?;
     drop(buffered);
-    file.as_file().sync_all().map_err(|error| failed(&error))?;
-    if force {
-        if let Some(before) = before {
-            fs::set_permissions(file.path(), before.permissions())
-                .map_err(|error| failed(&error))?;
-        }
-        file.persist(&target)
-    } else {
-        // Somebody may have been faster: looking first is not enough.
-        file.persist_noclobber(&target)
+    file.file().sync_all().map_err(|error| failed(&error))?;
+    if let Some(before) = before.filter(|_| force) {
+        let permissions = before.permissions();
+        file.file()
+            .set_permissions(permissions)
+            .map_err(|error| failed(&error))?;
     }
-    .map_err(|error| match error.error.kind() {
-        io::ErrorKind::AlreadyExists => exists(path),
-        _ => failed(&error.error),
-    })?;
-    Ok(())
+    Ok(Whole {
+        file,
+        path: path.to_owned(),
+        target,
+        force,
+    })
+}
+
+/// A file that is complete and not yet in its place. Dropped, nothing is left of it.
+pub struct Whole {
+    file: Temporary,
+    path: PathBuf,
+    target: PathBuf,
+    force: bool,
+}
+
+impl Whole {
+    /// Puts the file in its place.
+    ///
+    /// # Errors
+    /// Errors of [`write_atomically`].
+    pub fn place(self) -> Result<(), FileError> {
+        // Somebody may have been faster: looking first is not enough.
+        self.file
+            .persist(&self.target, self.force)
+            .map_err(|error| match error.kind() {
+                io::ErrorKind::AlreadyExists => exists(&self.path),
+                _ => cannot_write(&self.path, &error),
+            })
+    }
+}
+
+fn cannot_write(path: &Path, error: &io::Error) -> FileError {
+    FileError::io(path, "cannot write the file", error)
 }
 
 /// Checks whether [`write_atomically`] could begin, as far as is known without writing: for an error before long work.
@@ -53,12 +90,11 @@ fn exists(path: &Path) -> FileError {
     FileError::new(path, "the file exists already; --force replaces it")
 }
 
-/// Canonical path to write to, metadata of an existing file, and an empty temporary file beside it that is removed when
-/// dropped.
+/// Canonical path to write to, metadata of an existing file, and an empty file without a place.
 fn prepare(
     path: &Path,
     force: bool,
-) -> Result<(PathBuf, Option<fs::Metadata>, NamedTempFile), FileError> {
+) -> Result<(PathBuf, Option<fs::Metadata>, Temporary), FileError> {
     // A link stays one: its target is replaced.
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let before = fs::metadata(&target).ok();
@@ -80,15 +116,7 @@ fn prepare(
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".grazing-");
-    // Otherwise a temporary file is for its owner only.
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt as _;
-        builder.permissions(fs::Permissions::from_mode(0o666));
-    }
-    let file = builder.tempfile_in(folder).map_err(|error| {
+    let file = Temporary::create_in(folder).map_err(|error| {
         if folder.is_dir() {
             FileError::io(path, "cannot write the file", &error)
         } else {

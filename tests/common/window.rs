@@ -2,13 +2,17 @@
 
 use super::font::font;
 use super::wait;
+use eframe::App as _;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use egui_kittest::{Harness, HarnessBuilder};
 use grazing::app::command::Command;
 use grazing::app::msg::Msg;
+use grazing::app::msg::session::{Close, SessionMsg};
+use grazing::app::session::file::SessionFile;
 use grazing::app::state::State;
+use grazing::app::state::layout::Tiles;
 use grazing::app::state::prefs::{FitOnOpening, Prefs};
 use grazing::app::state::view_settings::Settings;
 use grazing::app::{App, Picker, WindowOptions};
@@ -191,4 +195,48 @@ pub fn send(window: &mut Window, msg: Msg) {
 /// Runs a command as a menu does.
 pub fn run(window: &mut Window, command: Command) {
     send(window, Msg::Run(command));
+}
+
+/// A window that keeps what is open in this folder. Without tiles, as only time must pass.
+pub fn kept_in(folder: &Path, files: &[&Path]) -> Window {
+    let mut window = window_of(WindowOptions {
+        autosave: Some(folder.to_owned()),
+        ..with_answers(files, None, None)
+    });
+    send(&mut window, Msg::SetLayout(Tiles::none()));
+    window
+}
+
+/// Closes a window for good; what it had open is not wanted.
+pub fn close(mut window: Window) {
+    let discard = SessionMsg::Close(Close::Discard);
+    send(&mut window, Msg::Session(discard));
+    window.state_mut().on_exit();
+}
+
+/// The session of the window as it would be saved.
+pub fn data(window: &Window) -> String {
+    SessionFile::of(window.state().state())
+        .text()
+        .expect("JSON")
+}
+
+/// Names of the open materials.
+pub fn names(state: &State) -> Vec<&str> {
+    let opened = state.scene.opened.iter();
+    opened
+        .map(|one| state.materials[&one.id].name.as_str())
+        .collect()
+}
+
+/// A notice with these words.
+#[track_caller]
+pub fn said<'a>(state: &'a State, words: &str) -> &'a str {
+    let found = state
+        .notices
+        .iter()
+        .find(|notice| notice.text.contains(words));
+    let notice = found.unwrap_or_else(|| panic!("{words}: {:?}", state.notices));
+    assert_eq!(notice.text.lines().count(), 1);
+    &notice.text
 }

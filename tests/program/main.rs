@@ -2,6 +2,7 @@
 
 #[path = "../common"]
 mod common {
+    pub mod display;
     pub mod folder;
     pub mod font;
     pub mod merl;
@@ -16,6 +17,7 @@ mod cli_figure;
 mod cli_fit;
 mod cli_render;
 mod fonts;
+mod killed;
 mod odd_names;
 mod startup;
 mod views;

@@ -1,12 +1,11 @@
 //! The program where a display is missing, or named and gone: plain words, exit code 1, and what works all the same.
 #![cfg(target_os = "linux")]
 
+use crate::common::display::{Display, Running};
 use crate::common::folder::Folder;
 use crate::common::program::{grazing, stderr, stdout, succeeded};
-use crate::common::wait::settle;
 use std::io::{BufRead as _, BufReader};
-use std::path::Path;
-use std::process::{Child, Command, Output, Stdio};
+use std::process::{Command, Output, Stdio};
 
 /// The program where no display is named.
 fn without_display() -> Command {
@@ -104,65 +103,23 @@ fn the_adapter_is_told_without_a_display() {
     assert_eq!(grazing(&[&"--adapter", &"a.binary"]).status.code(), Some(2));
 }
 
-/// A process that ends with the test.
-struct Running(Child);
-
-impl Drop for Running {
-    fn drop(&mut self) {
-        let _ = self.0.kill();
-        let _ = self.0.wait();
-    }
-}
-
-/// A virtual X11 display and its name.
-fn virtual_display() -> (Running, String) {
-    let mut server = Command::new("Xvfb");
-    server.args(["-displayfd", "1", "-screen", "0", "1280x800x24"]);
-    server.args(["-noreset", "-nolisten", "tcp"]);
-    let server = server.stdout(Stdio::piped()).stderr(Stdio::null()).spawn();
-    let mut server = server.unwrap_or_else(|error| panic!("Xvfb: {error}; tests/run installs it"));
-    let mut number = String::new();
-    let out = server.stdout.take().expect("piped");
-    BufReader::new(out)
-        .read_line(&mut number)
-        .expect("a number");
-    (Running(server), format!(":{}", number.trim()))
-}
-
-/// Names of the windows on a display.
-fn windows(display: &str) -> String {
-    let mut search = Command::new("xdotool");
-    let search = search.args(["search", "--name", "Grazing"]);
-    let output = search.env("DISPLAY", display).output();
-    stdout(&output.expect("xdotool; tests/run installs it"))
-}
-
 #[test]
 #[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn a_wayland_display_that_is_gone_leads_to_x11() {
-    let (_server, display) = virtual_display();
+    let display = Display::of_size([1280, 800]);
     let home = Folder::new();
-    let mut command = without_display();
-    command
-        .env("DISPLAY", &display)
-        .env("WAYLAND_DISPLAY", "wayland-9");
-    for name in ["XDG_RUNTIME_DIR", "XDG_DATA_HOME"] {
-        command.env(name, home.root());
-    }
-    command.env("NODEVICE_SELECT", "1").stderr(Stdio::piped());
+    let mut command = display.grazing(home.root());
+    command.env("WAYLAND_DISPLAY", "wayland-9");
+    command.stderr(Stdio::piped());
     let mut program = Running(command.spawn().expect("it runs"));
     let mut said = String::new();
     let err = program.0.stderr.take().expect("piped");
     BufReader::new(err).read_line(&mut said).expect("a line");
-    let tried = format!("DISPLAY={display}");
+    let tried = format!("DISPLAY={}", display.name);
     assert!(said.contains("WAYLAND_DISPLAY=wayland-9"), "{said}");
     assert!(
         said.trim().ends_with(&format!("trying X11 ({tried})")),
         "{said}"
     );
-    settle(|| match windows(&display).lines().count() {
-        0 => Err(format!("no window; {:?}", program.0.try_wait())),
-        _ => Ok(()),
-    });
-    assert!(Path::new("/proc").join(program.0.id().to_string()).exists());
+    display.until_window_of(&mut program);
 }

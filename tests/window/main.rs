@@ -15,6 +15,8 @@ mod common {
 }
 
 mod albedo;
+mod autosave;
+mod closing;
 mod disc;
 mod error_map;
 mod export;

@@ -6,7 +6,7 @@
 use crate::common::folder::Folder;
 use crate::common::records::{combined, only_named, record, write_fits, write_merl};
 use crate::common::window::{
-    Window, click, run, send, set_slider, settle, settle_on, window_with_boxes, with_answers,
+    Window, click, close, run, send, set_slider, settle, settle_on, window_with_boxes, with_answers,
 };
 use eframe::App as _;
 use grazing::app::WindowOptions;
@@ -219,7 +219,6 @@ fn after_a_crash_the_file_and_the_name_of_the_session_come_back() {
     is_shown(state, &file);
     let saved_as = state.session.files.get(&state.scene.session);
     assert_eq!(saved_as, Some(&session));
-    second.state_mut().on_exit();
-    drop(second);
+    close(second);
     assert_eq!(left(), Vec::<PathBuf>::new());
 }

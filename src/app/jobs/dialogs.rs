@@ -145,15 +145,15 @@ const fn saved(ending: &'static str, title: &'static str, filter: &'static str) 
     }
 }
 
-/// Asks for files, a folder or a place to write in the background, and does something with the answer. Says where there
-/// is no dialog, and where it has not come to the front for a while.
+/// Asks for files, a folder or a place to write in the background, and does something with the answer, `None` where there
+/// is none. Says where there is no dialog, and where it has not come to the front for a while.
 pub fn ask<T: Send + 'static>(
     jobs: &Jobs,
     picker: &Picker,
     doing: &str,
     purpose: Purpose,
     dialog: impl FnOnce() -> Option<T> + Send + 'static,
-    answered: impl FnOnce(T, &SendMsg) + Send + 'static,
+    answered: impl FnOnce(Option<T>, &SendMsg) + Send + 'static,
 ) {
     let (answer, waits) = channel::<()>();
     let ready = Arc::clone(&picker.ready);
@@ -167,9 +167,11 @@ pub fn ask<T: Send + 'static>(
         });
         drop(answer);
         match chosen {
-            Ok(Some(chosen)) => answered(chosen, send),
-            Ok(None) => {}
-            Err(why) => send(error(purpose.none(why))),
+            Ok(chosen) => answered(chosen, send),
+            Err(why) => {
+                send(error(purpose.none(why)));
+                answered(None, send);
+            }
         }
     }));
     let ctx = jobs.sender().ctx().clone();
@@ -209,7 +211,11 @@ pub fn ask_and_do(
     work: impl FnOnce(PathBuf) -> Result<PathBuf, String> + Send + 'static,
 ) {
     let (save, doing) = (Arc::clone(&picker.save), format!("saving {name}"));
-    let answered = move |path, send: &SendMsg| send(saved_notice(work(path)));
+    let answered = move |path: Option<PathBuf>, send: &SendMsg| {
+        if let Some(path) = path {
+            send(saved_notice(work(path)));
+        }
+    };
     ask(
         jobs,
         picker,

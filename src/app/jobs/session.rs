@@ -6,6 +6,7 @@ use crate::app::msg::Msg;
 use crate::app::msg::session::{SessionMsg, SessionTask};
 use crate::app::msg::work::{SendMsg, Work};
 use crate::app::session::file::SessionFile;
+use crate::app::state::session_mark::SessionMark;
 use crate::files;
 use crate::files::FileError;
 use crate::files::session::ENDING;
@@ -19,21 +20,24 @@ pub fn start(task: SessionTask, jobs: &Jobs, picker: &Picker) {
         SessionTask::Save {
             number,
             session,
+            mark,
             to: Some(path),
             ..
         } => {
-            let save = move |send: &SendMsg| save(number, *session, &path, false, send);
+            let save = move |send: &SendMsg| save((number, mark), *session, &path, false, send);
             jobs.start(Work::new("saving the session", save));
         }
         SessionTask::Save {
             number,
             session,
+            mark,
             to: None,
             name,
         } => {
             let dialog = Arc::clone(&picker.save);
-            let chosen = move |path: PathBuf, send: &SendMsg| {
-                save(number, *session, &path, true, send);
+            let chosen = move |path: Option<PathBuf>, send: &SendMsg| match path {
+                Some(path) => save((number, mark), *session, &path, true, send),
+                None => send(Msg::Session(SessionMsg::NotSaved)),
             };
             ask(
                 jobs,
@@ -46,8 +50,10 @@ pub fn start(task: SessionTask, jobs: &Jobs, picker: &Picker) {
         }
         SessionTask::Locate(wanted) => {
             let open = Arc::clone(&picker.open);
-            let found = move |path: PathBuf, send: &SendMsg| {
-                send(Msg::Session(SessionMsg::Located(beside(&path, wanted))));
+            let found = move |path: Option<PathBuf>, send: &SendMsg| {
+                if let Some(path) = path {
+                    send(Msg::Session(SessionMsg::Located(beside(&path, wanted))));
+                }
             };
             let first = move || open().into_iter().next();
             ask(
@@ -64,16 +70,30 @@ pub fn start(task: SessionTask, jobs: &Jobs, picker: &Picker) {
                 crashed.remove();
             }));
         }
+        SessionTask::StayOpen => {
+            let ctx = jobs.sender().ctx();
+            ctx.send_viewport_cmd(egui::ViewportCommand::CancelClose);
+        }
     }
 }
 
-/// Writes a session and says so; `asked` where a dialog was asked for the path.
-fn save(number: u64, session: SessionFile, path: &Path, asked: bool, send: &SendMsg) {
+/// Writes a session, of this number and mark, and says so; `asked` where a dialog was asked for the path.
+fn save(
+    (number, mark): (u64, Box<SessionMark>),
+    session: SessionFile,
+    path: &Path,
+    asked: bool,
+    send: &SendMsg,
+) {
     let saved = write(session, path, asked);
-    if let Ok(path) = &saved {
-        let path = path.clone();
-        send(Msg::Session(SessionMsg::Saved { number, path }));
-    }
+    send(Msg::Session(match &saved {
+        Ok(path) => SessionMsg::Saved {
+            number,
+            path: path.clone(),
+            mark,
+        },
+        Err(_) => SessionMsg::NotSaved,
+    }));
     send(saved_notice(saved.map_err(|error| error.to_string())));
 }
 

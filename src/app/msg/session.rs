@@ -4,6 +4,7 @@ use crate::app::session::file::SessionFile;
 use crate::app::session::places::FoundSession;
 use crate::app::state::material::MaterialId;
 use crate::app::state::session::Crashed;
+use crate::app::state::session_mark::SessionMark;
 use std::path::PathBuf;
 
 /// Something happened to sessions.
@@ -16,20 +17,43 @@ pub enum SessionMsg {
         path: PathBuf,
         found: Box<FoundSession>,
     },
-    /// A session was written; which one, by its number.
-    Saved { number: u64, path: PathBuf },
+    /// A session was written as it was then; which one, by its number.
+    Saved {
+        number: u64,
+        path: PathBuf,
+        mark: Box<SessionMark>,
+    },
+    /// A session was not written: something is in the way, or nobody said where to.
+    NotSaved,
+    /// The window is to close.
+    Close(Close),
     /// Ask where this material is.
     Locate(MaterialId),
     /// Files of materials were found.
     Located(Vec<(MaterialId, PathBuf)>),
     /// Go on without one, or without all, that is asked for.
     Skip { all: bool },
-    /// Earlier runs that did not end have left these.
+    /// Runs before have left these.
     Crashed(Vec<Crashed>),
     /// Open what the last run has left.
     Restore,
     /// Throw away what the last run has left.
     Discard,
+}
+
+/// Ways to the end of the window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Close {
+    /// A person closes it: work that is in no file is asked about.
+    Ask,
+    /// Save the session, then close.
+    Save,
+    /// Close; what is in no file is not wanted.
+    Discard,
+    /// Stay open after all.
+    Stay,
+    /// The system ends the program: nobody can be asked, and what is open is kept.
+    BySystem,
 }
 
 /// Something to be done outside the state.
@@ -40,6 +64,7 @@ pub enum SessionTask {
     Save {
         number: u64,
         session: Box<SessionFile>,
+        mark: Box<SessionMark>,
         to: Option<PathBuf>,
         name: String,
     },
@@ -47,4 +72,6 @@ pub enum SessionTask {
     Locate(Vec<(MaterialId, PathBuf)>),
     /// Remove what a run has left.
     Remove(Crashed),
+    /// Keep the window open though it was told to close.
+    StayOpen,
 }

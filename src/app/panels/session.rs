@@ -1,18 +1,27 @@
-//! Questions about sessions: where a material is, and whether to restore what was open.
+//! Questions about sessions: whether to save before closing, where a material is, and whether to restore what was open.
 
 use crate::app::msg::Msg;
-use crate::app::msg::session::SessionMsg;
+use crate::app::msg::session::{Close, SessionMsg};
 use crate::app::state::State;
-use crate::app::state::session::{Crashed, Missing};
-use egui::{Align2, Id, Window};
+use crate::app::state::session::{Closing, Crashed, Missing};
+use crate::files::session;
+use egui::{Align2, Id, Key, Modifiers, Window};
 use std::time::Duration;
 
 const WIDTH: f32 = 440.0;
 
 /// Draws the one question that is open, if any. The rest of the window goes on.
 pub fn session_ui(ctx: &egui::Context, state: &State, out: &mut Vec<Msg>) {
-    if let Some(crashed) = state.session.crashed.first() {
-        window(ctx, "Grazing ended unexpectedly", |ui| {
+    if matches!(state.session.closing, Closing::Asked | Closing::WhenSaved) {
+        window(ctx, "Save the session before closing?", |ui| {
+            closing_ui(ui, state, out);
+        });
+    } else if let Some(crashed) = state.session.crashed.first() {
+        let title = match crashed.by_system {
+            true => "Grazing was closed by the system",
+            false => "Grazing ended unexpectedly",
+        };
+        window(ctx, title, |ui| {
             crashed_ui(ui, crashed, out);
         });
     } else if let Some(missing) = state.asked_for() {
@@ -34,6 +43,37 @@ fn window(ctx: &egui::Context, title: &str, content: impl FnOnce(&mut egui::Ui))
             ui.set_width(WIDTH);
             content(ui);
         });
+}
+
+fn closing_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
+    ui.label(match state.session.files.get(&state.scene.session) {
+        Some(file) => format!("{} has changed since it was saved.", session::name(file)),
+        None => "Its models and fits are in no file yet.".into(),
+    });
+    ui.add_space(6.0);
+    let asked = state.session.closing == Closing::Asked;
+    ui.horizontal(|ui| {
+        ui.add_enabled_ui(asked, |ui| {
+            let save = ui.button("Save");
+            if save.clicked() {
+                out.push(Msg::Session(SessionMsg::Close(Close::Save)));
+            }
+            if asked && ui.memory(|memory| memory.focused().is_none()) {
+                // Enter takes the way that loses nothing.
+                save.request_focus();
+            }
+            if ui.button("Don't save").clicked() {
+                out.push(Msg::Session(SessionMsg::Close(Close::Discard)));
+            }
+        });
+        let escaped = ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+        if ui.button("Cancel").clicked() || escaped {
+            out.push(Msg::Session(SessionMsg::Close(Close::Stay)));
+        }
+        if !asked {
+            ui.spinner();
+        }
+    });
 }
 
 fn crashed_ui(ui: &mut egui::Ui, crashed: &Crashed, out: &mut Vec<Msg>) {

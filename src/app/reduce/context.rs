@@ -17,8 +17,10 @@ impl Context<'_> {
         *self.next_id
     }
 
-    /// Says something in the corner of the window.
+    /// Says something in the corner of the window. What is said already is not said twice: it comes to the front.
     pub fn notify(&mut self, level: Severity, text: String) {
+        self.notices
+            .retain(|said| (said.level, &said.text) != (level, &text));
         let id = self.fresh_id();
         self.notices.push(Notice { id, level, text });
     }

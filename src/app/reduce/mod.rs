@@ -1,5 +1,6 @@
 //! Reducer of the window, the one place where the state changes: `apply(state, message) → tasks`.
 
+pub(crate) mod closing;
 pub mod command;
 pub(crate) mod context;
 pub mod figure;

@@ -11,6 +11,7 @@ use crate::app::state::material::{Material, MaterialId, Opened, Origin, Presence
 use crate::app::state::notice::Severity;
 use crate::app::state::probe::Probe;
 use crate::app::state::session::Missing;
+use crate::app::state::session_mark::SessionMark;
 use crate::app::state::subject_key::{SubjectKey, What};
 use crate::app::state::{Scene, State};
 use crate::brdf::{Fresnel, Model, PerParam};
@@ -51,7 +52,17 @@ pub(crate) fn open(state: &mut State, job: u64, path: &Path, found: FoundSession
     name(state, number, path, session.saved_as);
     remark(state, path, remarks);
     forget_unreachable(state);
-    load_all(state, &ids)
+    let tasks = load_all(state, &ids);
+    if state
+        .session
+        .files
+        .get(&number)
+        .is_some_and(|file| *file == files::absolute(path))
+    {
+        let mark = SessionMark::of(state);
+        state.session.saved.insert(number, mark);
+    }
+    tasks
 }
 
 /// The scene of a session, and nothing where there was one before.
@@ -259,6 +270,10 @@ pub(crate) fn restore(state: &mut State) -> Vec<Task> {
         return Vec::new();
     };
     state.session.restoring = Some(crashed.file.clone());
+    if crashed.by_system {
+        let text = "What was open when the system closed Grazing is open again.";
+        notify(state, Severity::Info, text.into());
+    }
     let task = load(state, Origin::File(crashed.file));
     if let Some(job) = state.jobs.last_mut() {
         job.label = "what was open".into();

@@ -2,10 +2,11 @@
 
 use crate::app::msg::Task;
 use crate::app::msg::session::{SessionMsg, SessionTask};
-use crate::app::reduce::open_session;
+use crate::app::reduce::{closing, open_session};
 use crate::app::session::file::SessionFile;
 use crate::app::state::State;
 use crate::app::state::material::{MaterialId, Presence};
+use crate::app::state::session_mark::SessionMark;
 use crate::files::session;
 use crate::files::session::ENDING;
 
@@ -15,10 +16,14 @@ pub(crate) fn apply(state: &mut State, msg: SessionMsg) -> Vec<Task> {
         SessionMsg::Read { job, path, found } => {
             return open_session::open(state, job, &path, *found);
         }
-        SessionMsg::Saved { number, path } => {
+        SessionMsg::Saved { number, path, mark } => {
             state.prefs.remember(path.clone());
             state.session.files.insert(number, path);
+            state.session.saved.insert(number, *mark);
+            return closing::saved(state);
         }
+        SessionMsg::NotSaved => closing::not_saved(state),
+        SessionMsg::Close(close) => return closing::close(state, close),
         SessionMsg::Locate(id) => return locate(state, id),
         SessionMsg::Located(found) => return open_session::located(state, found),
         SessionMsg::Skip { all } => skip(state, all),
@@ -49,6 +54,7 @@ pub(crate) fn save(state: &State, ask: bool) -> Vec<Task> {
     vec![Task::Session(SessionTask::Save {
         number,
         session: Box::new(SessionFile::of(state)),
+        mark: Box::new(SessionMark::of(state)),
         to: file.filter(|_| !ask).cloned(),
         name: format!("{name}{ENDING}"),
     })]

@@ -21,6 +21,7 @@ pub mod probe;
 pub mod queries;
 pub mod sanitize;
 pub mod session;
+pub mod session_mark;
 pub mod settings_map;
 pub mod shared_table;
 pub mod side_panels;

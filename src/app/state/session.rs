@@ -1,6 +1,7 @@
 //! The part of the state that is about sessions.
 
 use crate::app::state::material::MaterialId;
+use crate::app::state::session_mark::SessionMark;
 use crate::files::session::SavedSource;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -11,11 +12,15 @@ use std::time::Duration;
 pub struct SessionState {
     /// The session files, by [`crate::app::state::Scene::session`].
     pub files: BTreeMap<u64, PathBuf>,
+    /// Sessions as they were when they were written or read, by the same number.
+    pub saved: BTreeMap<u64, SessionMark>,
+    /// How far the window is with closing.
+    pub closing: Closing,
     /// Materials whose files were not found.
     pub missing: Vec<Missing>,
     /// Materials of a session whose data were not yet held against it.
     pub unread: BTreeSet<MaterialId>,
-    /// Files left by runs that ended unexpectedly; the first is offered to be restored.
+    /// Files left by runs before; the first is offered to be restored.
     pub crashed: Vec<Crashed>,
     /// File that is being restored.
     pub restoring: Option<PathBuf>,
@@ -43,7 +48,23 @@ impl SessionState {
     }
 }
 
-/// Files left by a run that ended unexpectedly.
+/// How far the window is with closing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Closing {
+    /// It stays open.
+    #[default]
+    No,
+    /// A person is asked what becomes of work that is in no file.
+    Asked,
+    /// It closes when the session is written.
+    WhenSaved,
+    /// It closes, and nothing need be kept.
+    Yes,
+    /// It closes as the system wants it; what is open is kept for the next start.
+    BySystem,
+}
+
+/// Files left by a run before.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crashed {
     /// Session that was open.
@@ -52,4 +73,6 @@ pub struct Crashed {
     pub lock: PathBuf,
     /// Time since it was written, where that is known.
     pub age: Option<Duration>,
+    /// Whether the system ended it: then nothing went wrong.
+    pub by_system: bool,
 }
