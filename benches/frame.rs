@@ -192,6 +192,7 @@ fn app(
             fit_on_opening: FitOnOpening(false),
             ..Prefs::default()
         },
+        notice: None,
     };
     let mut app = App::new(cc, options)?;
     match kind {

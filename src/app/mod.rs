@@ -59,6 +59,8 @@ pub struct WindowOptions {
     pub autosave: Option<PathBuf>,
     /// Preferences where none are kept from an earlier run.
     pub prefs: Prefs,
+    /// Something to be said at once.
+    pub notice: Option<String>,
 }
 
 /// The program in its window.
@@ -117,6 +119,9 @@ impl App {
         app.handle(&cc.egui_ctx, Msg::SetPrefs(Box::new(options.prefs)));
         for msg in kept(cc) {
             app.handle(&cc.egui_ctx, msg);
+        }
+        if let Some(text) = options.notice {
+            app.handle(&cc.egui_ctx, Msg::Notify(Severity::Error, text));
         }
         if let Some(folder) = options.autosave {
             app.keep_for_a_crash(&cc.egui_ctx, &folder);
@@ -319,8 +324,14 @@ impl eframe::App for App {
 
 /// Small departures from egui's looks: rounder, calmer, the same in both themes.
 fn set_style(ctx: &egui::Context) {
-    // The commands do that, so that it is in the menu and kept.
-    ctx.options_mut(|options| options.zoom_with_keyboard = false);
+    ctx.options_mut(|options| {
+        // Nobody sets the others here, so what an earlier run has left of them is of no use.
+        let zoom_factor = options.zoom_factor;
+        *options = egui::Options::default();
+        options.zoom_factor = zoom_factor;
+        // The commands do that, so that it is in the menu and kept.
+        options.zoom_with_keyboard = false;
+    });
     ctx.all_styles_mut(|style| {
         style.spacing.item_spacing = egui::vec2(8.0, 5.0);
         style.spacing.button_padding = egui::vec2(8.0, 3.0);

@@ -2,6 +2,7 @@
 
 #[cfg(target_os = "linux")]
 mod display;
+mod settings;
 mod words;
 
 use crate::app::jobs::dialogs::Picker;
@@ -18,6 +19,9 @@ use words::{Failure, explain};
 
 pub use words::APT_LINE;
 
+/// Name of the program for the desktop, and of its own folder.
+const NAME: &str = "grazing";
+
 /// Longest time that the window has to close where the system ends the program.
 const TIME_TO_CLOSE: Duration = Duration::from_secs(4);
 
@@ -31,14 +35,19 @@ pub fn run(files: Vec<PathBuf>) -> Result<(), String> {
         event_loop_builder: event_loop_hook()?,
         ..native_options()
     };
+    let own_folder = eframe::storage_dir(NAME);
+    let damaged = own_folder
+        .as_ref()
+        .and_then(|folder| settings::mend(&folder.join("app.ron")));
     let start = WindowOptions {
         files,
         picker: Picker::system(),
-        autosave: eframe::storage_dir("grazing").map(|folder| folder.join("autosave")),
+        autosave: own_folder.map(|folder| folder.join("autosave")),
         prefs: Prefs::default(),
+        notice: damaged,
     };
     eframe::run_native(
-        "grazing",
+        NAME,
         options,
         Box::new(|cc| {
             let app = App::new(cc, start)?;
@@ -58,7 +67,7 @@ pub fn native_options() -> eframe::NativeOptions {
     eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default()
             .with_title("Grazing")
-            .with_app_id("grazing")
+            .with_app_id(NAME)
             .with_inner_size([1280.0, 800.0])
             .with_min_inner_size([640.0, 360.0])
             .with_icon(icon())

@@ -57,6 +57,7 @@ pub fn window_with(files: Vec<PathBuf>, picker: Picker) -> Window {
         picker,
         autosave: None,
         prefs: not_fitted_on_opening(),
+        notice: None,
     })
 }
 
@@ -72,6 +73,7 @@ pub fn with_answers(files: &[&Path], open: Option<&Path>, save: Option<&Path>) -
         },
         autosave: None,
         prefs: not_fitted_on_opening(),
+        notice: None,
     }
 }
 

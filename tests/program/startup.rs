@@ -123,3 +123,23 @@ fn a_wayland_display_that_is_gone_leads_to_x11() {
     );
     display.until_window_of(&mut program);
 }
+
+#[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
+fn damaged_settings_stop_no_start() {
+    let display = Display::of_size([1280, 800]);
+    let home = Folder::new();
+    std::fs::create_dir(home.path("grazing")).expect("made");
+    let window = "(normal_geometry:(outer_position_pixels:None,scale_factor:1.0,inner_size_points:(x:1280.0,y:800.0)),fullscreen:false,maximized:false)";
+    let memory = ron::to_string(&egui::Memory::default()).expect("RON");
+    for damage in ["0.0", "NaN", "inf", "-1.0", "100.0", "1e-9"] {
+        let memory = memory.replace("zoom_factor:1.0", &format!("zoom_factor:{damage}"));
+        let kept = [("window", window), ("egui", &memory)];
+        let kept = ron::to_string(&std::collections::BTreeMap::from(kept)).expect("RON");
+        let file = home.file("grazing/app.ron", &kept);
+        let mut program = Running(display.grazing(home.root()).spawn().expect("it runs"));
+        display.until_window_of(&mut program);
+        let beside = file.with_extension("ron.damaged");
+        assert_eq!(std::fs::read_to_string(beside).expect("is there"), kept);
+    }
+}

@@ -346,6 +346,7 @@ fn a_save_that_fails_says_so_and_leaves_what_was_there() {
         },
         autosave: None,
         prefs: not_fitted_on_opening(),
+        notice: None,
     });
     run(&mut window, Command::SaveSession);
     settle(&mut window, |_| {

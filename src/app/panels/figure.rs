@@ -142,9 +142,13 @@ fn looks_ui(ui: &mut egui::Ui, prefs: &mut FigurePrefs) {
     });
     ui.end_row();
     let label = ui.label("In a row");
-    ui.add(egui::DragValue::new(columns).speed(0.05).range(1..=6))
-        .labelled_by(label.id)
-        .on_hover_text("How many views stand beside each other");
+    ui.add(
+        egui::DragValue::new(columns)
+            .speed(0.05)
+            .range(FigurePrefs::COLUMNS),
+    )
+    .labelled_by(label.id)
+    .on_hover_text("How many views stand beside each other");
     ui.end_row();
     for (name, value, step, range, suffix) in [
         ("Font", &mut style.font_pt, 0.1, [3.0, 72.0], " pt"),

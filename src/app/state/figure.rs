@@ -17,6 +17,11 @@ pub struct FigurePrefs {
     pub columns: usize,
 }
 
+impl FigurePrefs {
+    /// Numbers of panels beside each other that can be set.
+    pub const COLUMNS: std::ops::RangeInclusive<usize> = 1..=6;
+}
+
 impl Default for FigurePrefs {
     fn default() -> Self {
         Self {

@@ -55,6 +55,12 @@ impl Zoom {
         self.0 as f32 / 100.0
     }
 
+    /// Whether a window can be as large as this factor makes it.
+    pub fn offers(factor: f32) -> bool {
+        let percent = f64::from(factor) * 100.0;
+        (f64::from(*Self::RANGE.start())..=f64::from(*Self::RANGE.end())).contains(&percent.round())
+    }
+
     /// One step larger.
     pub fn larger(self) -> Self {
         Self::from(self.0 + Self::STEP)
@@ -100,12 +106,22 @@ impl MemoryLimit {
     pub fn bytes(self) -> u64 {
         u64::from(self.0) * crate::app::state::memory::MIB
     }
+
+    /// Limits that can be set.
+    pub const RANGE: std::ops::RangeInclusive<u32> = 0..=65_536;
 }
 
 /// Number of recent files that are kept.
 const RECENT: usize = 10;
 
 impl Prefs {
+    /// Whether every value is one that could have been set.
+    pub fn is_possible(&self) -> bool {
+        self.figure.style.check().is_ok()
+            && FigurePrefs::COLUMNS.contains(&self.figure.columns)
+            && MemoryLimit::RANGE.contains(&self.memory.0)
+    }
+
     /// Puts a file at the front of the recent ones.
     pub fn remember(&mut self, path: PathBuf) {
         self.recent.retain(|other| *other != path);

@@ -7,6 +7,7 @@ use crate::app::panels::library::files;
 use crate::app::state::State;
 use crate::app::state::library::listing::{FileSort, SORT_KEYS};
 use crate::app::state::library::{Folder, Scan};
+use crate::app::state::prefs::MemoryLimit;
 use crate::files::folder::shown_name;
 use egui::{Key, Modifiers};
 
@@ -94,7 +95,7 @@ fn limit_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
         let label = ui.label("Memory");
         let mut mib = state.prefs.memory.0;
         let drag = egui::DragValue::new(&mut mib)
-            .range(0..=65_536)
+            .range(MemoryLimit::RANGE)
             .speed(4.0)
             .suffix(" MiB");
         let drag = ui.add(drag).labelled_by(label.id).on_hover_text(
