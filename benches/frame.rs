@@ -8,6 +8,12 @@
 //!
 //! `cargo bench --bench frame`. Needs Xvfb. Each window is a process of its own: winit opens one event loop only.
 
+#[path = "../tests/common"]
+mod common {
+    pub mod display;
+}
+
+use common::display::{Display, Running};
 use eframe::egui;
 use grazing::app::msg::Msg;
 use grazing::app::state::layout::Tiles;
@@ -19,7 +25,7 @@ use grazing::app::{App, Picker, WindowOptions};
 use grazing::brdf::ParamId;
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader};
-use std::process::{Child, Command, Stdio};
+use std::process::Stdio;
 use std::time::{Duration, Instant};
 
 const KIND: &str = "GRAZING_BENCH_WINDOW";
@@ -41,14 +47,7 @@ fn main() {
     if let Ok(kind) = std::env::var(KIND) {
         return window(&kind);
     }
-    let display = ":97";
-    let mut server = Command::new("Xvfb")
-        .args([display, "-screen", "0", "1280x800x24", "-nolisten", "tcp"])
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn()
-        .expect("Xvfb starts; install the package xvfb");
-    std::thread::sleep(Duration::from_secs(1));
+    let display = Display::of_size(SIZE.map(|n| n as u32));
     let kinds: Vec<&str> = WINDOWS
         .into_iter()
         .chain(VIEWS.iter().map(|row| row.key))
@@ -57,13 +56,13 @@ fn main() {
     for _ in 0..ROUNDS {
         // In turn, so that what else the machine does falls on all of them.
         for kind in &kinds {
-            times.entry(kind).or_default().push(measure(kind, display));
+            times.entry(kind).or_default().push(measure(kind, &display));
         }
     }
     let mut starts: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
     for _ in 0..STARTS {
         for kind in ["whole", "bare"] {
-            starts.entry(kind).or_default().push(start(kind, display));
+            starts.entry(kind).or_default().push(start(kind, &display));
         }
     }
     let frame_ms = |kind: &str| 1e3 * median(times[kind].iter().copied());
@@ -97,8 +96,6 @@ fn main() {
         start_ms("bare"),
         start_ms("whole") / start_ms("bare")
     );
-    let _ = server.kill();
-    let _ = server.wait();
 }
 
 fn median(values: impl Iterator<Item = f64>) -> f64 {
@@ -108,37 +105,30 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// Seconds a frame.
-fn measure(kind: &str, display: &str) -> f64 {
+fn measure(kind: &str, display: &Display) -> f64 {
     let (mut child, mut lines, _) = open(kind, display);
     let frame = lines
         .next()
         .and_then(|line| line.parse().ok())
-        .expect("a time");
-    let _ = child.wait();
+        .unwrap_or_else(|| panic!("the {kind} window ended before its time"));
+    let _ = child.0.wait();
     frame
 }
 
 /// Seconds from start to the first frame.
-fn start(kind: &str, display: &str) -> f64 {
-    let (mut child, _, seconds) = open(kind, display);
-    let _ = child.kill();
-    let _ = child.wait();
+fn start(kind: &str, display: &Display) -> f64 {
+    let (_child, _, seconds) = open(kind, display);
     seconds
 }
 
 /// A window, what it says from its first frame on, and the seconds until then.
-fn open(kind: &str, display: &str) -> (Child, impl Iterator<Item = String>, f64) {
+fn open(kind: &str, display: &Display) -> (Running, impl Iterator<Item = String>, f64) {
     let started = Instant::now();
-    let mut child: Child = Command::new(std::env::current_exe().expect("a path"))
-        .env(KIND, kind)
-        .env("DISPLAY", display)
-        .env("NODEVICE_SELECT", "1")
-        .env_remove("WAYLAND_DISPLAY")
-        .stdout(Stdio::piped())
-        .stderr(Stdio::null())
-        .spawn()
-        .expect("a window");
-    let mut lines = BufReader::new(child.stdout.take().expect("piped"))
+    let mut command = display.command(std::env::current_exe().expect("a path"));
+    // What a window says on standard error is for whoever runs this.
+    command.env(KIND, kind).stdout(Stdio::piped());
+    let mut child = Running(command.spawn().expect("a window"));
+    let mut lines = BufReader::new(child.0.stdout.take().expect("piped"))
         .lines()
         .map_while(Result::ok);
     assert_eq!(

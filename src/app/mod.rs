@@ -4,6 +4,7 @@ pub mod command;
 pub mod guide;
 mod input;
 pub mod jobs;
+mod largest;
 pub mod lessons;
 pub mod msg;
 pub mod panels;
@@ -20,6 +21,7 @@ use crate::app::jobs::autosave::Autosave;
 use crate::app::jobs::fonts::LackingLetters;
 use crate::app::jobs::sender::Sender;
 use crate::app::jobs::{Jobs, prepare_threads};
+use crate::app::largest::Largest;
 use crate::app::msg::session::{Close, SessionMsg};
 use crate::app::msg::{Msg, Task};
 use crate::app::panels::tiles::tiles_ui;
@@ -69,6 +71,7 @@ pub struct App {
     inbox: Receiver<Msg>,
     tools: Tools,
     adapter: String,
+    largest: Largest,
     autosave: Option<Autosave>,
     lacking: LackingLetters,
     /// Tasks that wait for the first frame, which would have to share the cores with it; nothing waits any more at `None`.
@@ -107,6 +110,7 @@ impl App {
                 picker: options.picker,
             },
             adapter: crate::gpu::adapter::describe(&render_state.adapter.get_info()),
+            largest: Largest::of(render_state.device.limits().max_texture_dimension_2d),
             autosave: None,
             lacking: LackingLetters::default(),
             held: Some(vec![Task::Start(sphere)]),
@@ -152,6 +156,11 @@ impl App {
             }
             sender.send(Msg::Session(SessionMsg::Close(Close::BySystem)));
         }
+    }
+
+    /// The way of messages to the window, from any thread.
+    pub fn sender(&self) -> &Sender {
+        self.tools.jobs.sender()
     }
 
     /// State of the window, for tests.
@@ -256,6 +265,9 @@ impl eframe::App for App {
             self.handle(&ctx, Msg::Narrow(narrow));
         }
         self.start_held(&ctx);
+        if let Some(text) = self.largest.keep(&ctx) {
+            self.handle(&ctx, Msg::Notify(Severity::Info, text));
+        }
         if ctx.input(|input| input.viewport().close_requested()) {
             self.handle(&ctx, Msg::Session(SessionMsg::Close(Close::Ask)));
         }

@@ -75,8 +75,8 @@ pub fn device_descriptor(adapter: &Adapter) -> DeviceDescriptor<'static> {
     DeviceDescriptor {
         label: Some("grazing"),
         required_limits: wgpu::Limits {
-            // The window may be larger than the 2048 pixels of the base limits.
-            max_texture_dimension_2d: limits.max_texture_dimension_2d.min(8192),
+            // The window may be larger than the 2048 pixels of the base limits: several screens side by side.
+            max_texture_dimension_2d: limits.max_texture_dimension_2d,
             ..base.using_alignment(limits)
         },
         ..Default::default()

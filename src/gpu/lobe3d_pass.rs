@@ -217,6 +217,12 @@ impl SpacePass {
         picture: &mut SpacePicture,
         view: &SpaceView,
     ) {
+        // A window beyond what the device can draw is about to shrink.
+        let most = device.limits().max_texture_dimension_2d;
+        let view = &SpaceView {
+            size_px: view.size_px.map(|n| n.min(most)),
+            ..*view
+        };
         if picture.shown.as_ref() == Some(view) {
             return;
         }

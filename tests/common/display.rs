@@ -1,8 +1,6 @@
 //! A virtual X11 display, and processes that end with what started them.
 
-use super::wait::settle;
 use std::io::{BufRead as _, BufReader};
-use std::path::Path;
 use std::process::{Child, Command, Stdio};
 
 /// A process that is ended when this is dropped, by a panic too.
@@ -55,32 +53,5 @@ impl Display {
             command.env_remove(other);
         }
         command
-    }
-
-    /// The program with a window here, whose own folder is in this one.
-    pub fn grazing(&self, home: &Path) -> Command {
-        let mut command = self.command(env!("CARGO_BIN_EXE_grazing"));
-        for name in ["XDG_RUNTIME_DIR", "XDG_DATA_HOME"] {
-            command.env(name, home);
-        }
-        command
-    }
-
-    /// Waits for the window of a process; its number for xdotool.
-    #[track_caller]
-    pub fn until_window_of(&self, process: &mut Running) -> String {
-        let id = process.0.id().to_string();
-        settle(|| {
-            let mut search = Command::new("xdotool");
-            search.args(["search", "--onlyvisible", "--pid", &id]);
-            search.args(["--all", "--name", "Grazing"]);
-            let output = search.env("DISPLAY", &self.name).output();
-            let output = output.expect("xdotool; tests/run installs it");
-            let found = String::from_utf8_lossy(&output.stdout);
-            match found.lines().next() {
-                Some(window) => Ok(window.to_string()),
-                None => Err(format!("no window; {:?}", process.0.try_wait())),
-            }
-        })
     }
 }

@@ -4,6 +4,7 @@
 use crate::common::display::{Display, Running};
 use crate::common::folder::Folder;
 use crate::common::merl::merl_file;
+use crate::common::real_window::{grazing_on, until_window_of};
 use crate::common::wait::settle;
 use std::fs;
 use std::os::unix::process::ExitStatusExt as _;
@@ -113,9 +114,9 @@ fn a_window_that_the_system_ends_keeps_what_is_open() {
     let display = Display::of_size([1280, 800]);
     let home = Folder::new();
     let file = home.file("tin.binary", merl_file(|_| Some([0.2, 0.3, 0.4])));
-    let mut first = display.grazing(home.root());
+    let mut first = grazing_on(&display, home.root());
     let mut first = Running(first.arg(&file).spawn().expect("it runs"));
-    display.until_window_of(&mut first);
+    until_window_of(&display, &mut first);
     until_kept(&home);
     let before = kept(&home);
     let ended = kill(&mut first, "TERM");
@@ -128,8 +129,8 @@ fn a_window_that_the_system_ends_keeps_what_is_open() {
         "ended by the system\n"
     );
     // The next start opens it again, keeps it as its own, and lets the old one go.
-    let mut second = Running(display.grazing(home.root()).spawn().expect("it runs"));
-    display.until_window_of(&mut second);
+    let mut second = Running(grazing_on(&display, home.root()).spawn().expect("it runs"));
+    until_window_of(&display, &mut second);
     settle(|| match kept(&home) {
         kept if kept.len() == 2 && kept != before => Ok(()),
         kept => Err(format!("{kept:?}")),

@@ -7,6 +7,7 @@ mod common {
     pub mod font;
     pub mod merl;
     pub mod program;
+    pub mod real_window;
     pub mod tables;
     pub mod wait;
 }

@@ -4,6 +4,7 @@
 use crate::common::display::{Display, Running};
 use crate::common::folder::Folder;
 use crate::common::program::{grazing, stderr, stdout, succeeded};
+use crate::common::real_window::{grazing_on, until_window_of};
 use std::io::{BufRead as _, BufReader};
 use std::process::{Command, Output, Stdio};
 
@@ -108,7 +109,7 @@ fn the_adapter_is_told_without_a_display() {
 fn a_wayland_display_that_is_gone_leads_to_x11() {
     let display = Display::of_size([1280, 800]);
     let home = Folder::new();
-    let mut command = display.grazing(home.root());
+    let mut command = grazing_on(&display, home.root());
     command.env("WAYLAND_DISPLAY", "wayland-9");
     command.stderr(Stdio::piped());
     let mut program = Running(command.spawn().expect("it runs"));
@@ -121,7 +122,7 @@ fn a_wayland_display_that_is_gone_leads_to_x11() {
         said.trim().ends_with(&format!("trying X11 ({tried})")),
         "{said}"
     );
-    display.until_window_of(&mut program);
+    until_window_of(&display, &mut program);
 }
 
 #[test]
@@ -137,8 +138,8 @@ fn damaged_settings_stop_no_start() {
         let kept = [("window", window), ("egui", &memory)];
         let kept = ron::to_string(&std::collections::BTreeMap::from(kept)).expect("RON");
         let file = home.file("grazing/app.ron", &kept);
-        let mut program = Running(display.grazing(home.root()).spawn().expect("it runs"));
-        display.until_window_of(&mut program);
+        let mut program = Running(grazing_on(&display, home.root()).spawn().expect("it runs"));
+        until_window_of(&display, &mut program);
         let beside = file.with_extension("ron.damaged");
         assert_eq!(std::fs::read_to_string(beside).expect("is there"), kept);
     }

@@ -6,7 +6,7 @@ use crate::app::state::State;
 use crate::app::state::job::Purpose;
 use crate::app::state::library::Pending;
 use crate::app::state::material::{MaterialId, Presence};
-use crate::app::state::memory::{Held, bytes, cell_bytes, to_evict};
+use crate::app::state::memory::{Held, bytes, cell_bytes, texture_bytes, to_evict};
 use crate::measured::{Grid, Table};
 
 /// The materials whose tables must stay: the shown one, those beside it, and the one that is fitted.
@@ -40,8 +40,11 @@ pub(crate) fn keep(state: &mut State) -> Vec<Task> {
     for id in missing {
         tasks.extend(reload(state, id).map(|(_, task)| task));
     }
-    // Every load under way brings a table.
-    let coming = state.jobs.len() as u64 * cell_bytes(Grid::FOLDED);
+    // Every load under way brings a table, and the sphere has its own on the GPU.
+    let on_gpu = state
+        .current()
+        .map(|(material, _)| texture_bytes(&material.table));
+    let coming = state.jobs.len() as u64 * cell_bytes(Grid::FOLDED) + on_gpu.unwrap_or(0);
     let held: Vec<Held> = state
         .materials
         .iter()

@@ -1,7 +1,7 @@
-//! Tables in memory: the least recently shown ones go where all take more than the limit.
+//! Tables in memory and on the GPU: the least recently shown ones go where all take more than the limit.
 
 use crate::app::state::State;
-use crate::app::state::material::MaterialId;
+use crate::app::state::material::{MaterialId, Presence};
 use crate::measured::{Grid, Table};
 use std::sync::Arc;
 
@@ -50,10 +50,46 @@ pub(crate) fn cell_bytes(grid: Grid) -> u64 {
     (grid.len() * size_of::<[f32; 3]>()) as u64
 }
 
-/// Size of all tables of the state in bytes.
-pub fn total(state: &State) -> u64 {
+/// Size of a table as a texture, in bytes: four numbers a cell in place of three. Where the GPU has no memory of its own, it
+/// takes that of the program.
+pub fn texture_bytes(table: &Arc<Table>) -> u64 {
+    bytes(table) / 3 * 4
+}
+
+/// Largest number of tables that stay on the GPU.
+const MOST_TEXTURES: usize = 4;
+
+/// The open materials whose tables stay on the GPU, those shown lately first: the shown one, and others as far as the limit
+/// has room beside all tables.
+pub fn on_gpu(state: &State) -> Vec<MaterialId> {
+    let opened = state.scene.opened.iter();
+    let mut held: Vec<(u64, MaterialId, u64)> = opened
+        .filter_map(|opened| Some((opened.id, state.materials.get(&opened.id)?)))
+        .filter(|(_, material)| material.presence == Presence::Loaded)
+        .map(|(id, material)| (material.last_shown, id, texture_bytes(&material.table)))
+        .filter(|(_, _, bytes)| *bytes > 0)
+        .collect();
+    held.sort_by_key(|(last_shown, id, _)| (std::cmp::Reverse(*last_shown), *id));
+    let mut total = tables(state);
+    let limit = state.prefs.memory.bytes();
+    let fits = |(k, (_, id, bytes)): (usize, (u64, MaterialId, u64))| {
+        total += bytes;
+        (k == 0 || total <= limit).then_some(id)
+    };
+    let lately = held.into_iter().take(MOST_TEXTURES).enumerate();
+    lately.map_while(fits).collect()
+}
+
+fn tables(state: &State) -> u64 {
     let tables = state.materials.values().map(|material| &material.table);
     tables.map(bytes).sum()
+}
+
+/// Size of all tables of the state in bytes, in memory and on the GPU.
+pub fn total(state: &State) -> u64 {
+    let on_gpu = on_gpu(state).into_iter();
+    let textures = on_gpu.filter_map(|id| Some(texture_bytes(&state.materials.get(&id)?.table)));
+    tables(state) + textures.sum::<u64>()
 }
 
 #[cfg(test)]

@@ -99,7 +99,7 @@ fn limit_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
             .speed(4.0)
             .suffix(" MiB");
         let drag = ui.add(drag).labelled_by(label.id).on_hover_text(
-            "How much the data of open materials may take. Those not shown for the longest time are let go and read again when they are shown.",
+            "How much the data of open materials may take, in memory and on the graphics card. Those not shown for the longest time are let go and read again when they are shown.",
         );
         if drag.changed() {
             out.push(Msg::Library(LibraryMsg::SetLimit(mib)));

@@ -38,7 +38,7 @@ pub fn paint(
 ) {
     let density = ui.ctx().pixels_per_point();
     let [width, height] = [rect.width(), rect.height()];
-    let pixels = |points: f32| (points * density).round().clamp(1.0, 8192.0) as u32;
+    let pixels = |points: f32| (points * density).round().max(1.0) as u32;
     let in_px = |points: f32| f64::from(points * density);
     let view = SpaceView {
         rotation: projection.camera.rotation,

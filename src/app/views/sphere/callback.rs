@@ -2,7 +2,8 @@
 
 use crate::app::msg::work::Work;
 use crate::app::state::State;
-use crate::app::state::material::{Material, MaterialId, Opened, Presence};
+use crate::app::state::material::{Material, MaterialId, Opened};
+use crate::app::state::memory::on_gpu;
 use crate::app::views::sphere::settings::SphereSettings;
 use crate::app::views::sphere::{SphereOnScreen, error};
 use crate::geom::sight::Sight;
@@ -17,9 +18,6 @@ use eframe::wgpu;
 use egui::PaintCallbackInfo;
 use std::collections::HashMap;
 use std::sync::{Arc, OnceLock, Weak};
-
-/// Number of tables that stay on the GPU.
-const TEXTURES: usize = 4;
 
 /// Content of a sphere on screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -105,16 +103,9 @@ pub fn paint(
     painter.add(Callback::new_paint_callback(sphere.frame, callback));
 }
 
-/// The materials whose textures are worth keeping: open ones whose tables are in memory, those shown lately.
+/// The materials whose textures are worth keeping, and the one that stands in where there are no data.
 fn kept(state: &State) -> Vec<Option<MaterialId>> {
-    let opened = state.scene.opened.iter();
-    let mut held: Vec<(u64, MaterialId)> = opened
-        .filter_map(|opened| Some((opened.id, state.materials.get(&opened.id)?)))
-        .filter(|(_, material)| material.presence == Presence::Loaded)
-        .map(|(id, material)| (material.last_shown, id))
-        .collect();
-    held.sort_by_key(|(last_shown, _)| std::cmp::Reverse(*last_shown));
-    let lately = held.into_iter().take(TEXTURES).map(|(_, id)| Some(id));
+    let lately = on_gpu(state).into_iter().map(Some);
     lately.chain([None]).collect()
 }
 
