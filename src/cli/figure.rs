@@ -10,7 +10,7 @@ use crate::export::{
     ExportError, FORMATS, FigureFormat, FigureSpec, OpenedTables, open_from_files, prepare,
     write_figure,
 };
-use crate::figure::page::{Inks, SAME_AXES, SameAxes, Style};
+use crate::figure::page::{Inks, SAME_AXES, SameAxes, Style, style_limits};
 use crate::figure::scale::{RADIAL_SCALES, RadialScale};
 use crate::files::{self, FileError};
 use crate::geom::sphere::SphereView;
@@ -80,16 +80,16 @@ pub struct Args {
 #[derive(clap::Args)]
 struct LookArgs {
     /// Width of the page in millimetres
-    #[arg(long, value_name = "MM")]
+    #[arg(long, value_name = "MM", value_parser = style("width_mm"), allow_hyphen_values = true)]
     width: Option<f64>,
     /// Font size in points
-    #[arg(long, value_name = "PT")]
+    #[arg(long, value_name = "PT", value_parser = style("font_pt"), allow_hyphen_values = true)]
     font: Option<f64>,
     /// Width of a curve in points
-    #[arg(long, value_name = "PT")]
+    #[arg(long, value_name = "PT", value_parser = style("line_pt"), allow_hyphen_values = true)]
     line: Option<f64>,
     /// Pixels to the inch: of pictures in the figure, and of a PNG
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = style("dpi"), allow_hyphen_values = true)]
     dpi: Option<f64>,
     /// Greys that a black and white printer tells apart
     #[arg(long)]
@@ -146,6 +146,17 @@ fn presets() -> PossibleValuesParser {
     )
 }
 
+/// The parser of a number of the style, which says what can be asked for.
+fn style(
+    key: &str,
+) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync + 'static + use<> {
+    let [low, high] = style_limits(key).unwrap_or([0.0, f64::MAX]);
+    move |text| match text.trim().parse::<f64>() {
+        Ok(value) if (low..=high).contains(&value) => Ok(value),
+        _ => Err(format!("expected a number from {low} to {high}")),
+    }
+}
+
 fn theta_i(text: &str) -> Result<f64, String> {
     let degrees: f64 = text
         .trim()
@@ -167,7 +178,6 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     };
     args.look.apply(&mut spec.style);
     let spec = spec.settled();
-    spec.style.check().map_err(CliError::Other)?;
     let go_on = &mut || ControlFlow::Continue(());
     let mut table = |source: &_| open_from_files(source, &folder, args.changed, &mut opened);
     let prepared = prepare(&spec, &mut table, go_on)?;
@@ -252,6 +262,7 @@ impl From<ExportError> for CliError {
     fn from(error: ExportError) -> Self {
         match error {
             ExportError::File(error) => Self::File(error),
+            ExportError::Spec(error) => Self::Spec(error),
             error => Self::Other(error.to_string()),
         }
     }

@@ -1,6 +1,7 @@
 //! The command line: opens the window, or does the same work without one.
 //!
-//! Exit code 0: done. 1: failed, with one line on standard error. 2: the command line itself is wrong.
+//! Exit code 0: done. 1: failed, with one line on standard error. 2: the command line itself is wrong, or the spec of a figure
+//! that it names.
 
 mod csv_table;
 mod eval;
@@ -56,6 +57,9 @@ enum CliCommand {
 enum CliError {
     #[error(transparent)]
     File(#[from] FileError),
+    /// A figure's spec asks for what cannot be drawn.
+    #[error(transparent)]
+    Spec(FileError),
     #[error("cannot write the output: {0}")]
     Output(#[from] io::Error),
     #[error("{0}")]
@@ -120,6 +124,10 @@ fn finish(result: Result<(), CliError>) -> ExitCode {
             }
         }
         Err(CliError::Reported) => ExitCode::FAILURE,
+        Err(error @ CliError::Spec(_)) => {
+            report(&error);
+            ExitCode::from(2)
+        }
         Err(error) => {
             report(&error);
             ExitCode::FAILURE

@@ -2,6 +2,7 @@
 
 use super::cosine::CosineFactor;
 use super::drawing::Drawing;
+use super::faults::Faults;
 use super::fit_output::FitOutput;
 use super::palette::Palette;
 use super::scale::{Axis, RadialScale};
@@ -21,6 +22,9 @@ pub struct SharedAxis {
 
 /// A kind of view on paper. Its type is the spec of the view.
 pub trait PanelView {
+    /// Brings every value to the nearest that can be drawn, and names those that it changed.
+    fn sanitize(&mut self, faults: &mut Faults);
+
     /// Height of a panel `width` points wide that suits it: room for the picture and for words of the size `font`.
     fn height(&self, width: f32, font: f32) -> f32;
 

@@ -17,5 +17,6 @@ mod cli_fit;
 mod cli_render;
 mod fonts;
 mod odd_names;
+mod specs;
 mod startup;
 mod views;

@@ -2,14 +2,21 @@
 
 use super::{AlbedoCurve, AlbedoPlot, AlbedoPoint, AlbedoSpec, curve};
 use crate::figure::cosine::CosineFactor;
+use crate::figure::faults::Faults;
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
 use crate::figure::scale::{Axis, RadialScale};
 use crate::figure::subject::{Channel, Subject};
 use crate::figure::table::{DataTable, kind};
 use crate::geom::degrees::rounded;
+use std::f64::consts::FRAC_PI_2;
 use std::ops::ControlFlow;
 
 impl PanelView for AlbedoSpec {
+    fn sanitize(&mut self, faults: &mut Faults) {
+        faults.window("window", &mut self.window, [0.0, FRAC_PI_2]);
+        faults.limits("limits", &mut self.limits);
+    }
+
     fn height(&self, width: f32, font: f32) -> f32 {
         0.6 * width + 3.0 * font
     }

@@ -2,12 +2,13 @@
 
 use super::lock::lock;
 use super::place::{PagePlacement, place};
-use super::spec::{PageSpec, PanelSpec};
+use super::spec::{PageSpec, PanelSpec, sanitize};
 use super::style::Style;
 use crate::figure::ViewSpec;
 use crate::figure::drawing::{
     Anchor, Drawing, Item, LARGEST_FONT, LINE_HEIGHT, Label, SMALLEST_FONT,
 };
+use crate::figure::faults::Faults;
 use crate::figure::fit_output::FitOutput;
 use crate::figure::legend::{SWATCH_EM, draw_entry};
 use crate::figure::palette::Role;
@@ -40,10 +41,13 @@ pub fn draw(
     subjects: &[Subject],
     made: &[Option<FitOutput>],
 ) -> Result<Page, String> {
-    check(spec, subjects)?;
-    let palette = spec.style.palette.palette();
-    let layout = PageLayout::new(spec);
     let mut spec = spec.clone();
+    let mut faults = Faults::default();
+    sanitize(&mut spec.rows, &mut spec.style, subjects.len(), &mut faults);
+    faults.result()?;
+    let palette = spec.style.palette.palette();
+    let unlocked = spec.clone();
+    let layout = PageLayout::new(&unlocked);
     let places = layout.places();
     let draw_panel = |panel: &PanelSpec, view: &ViewSpec, index: usize| -> PanelDrawing {
         let named: Vec<Subject> = panel
@@ -102,27 +106,6 @@ pub fn draw(
         },
         table: DataTable::joined(&tables),
     })
-}
-
-fn check(spec: &PageSpec, subjects: &[Subject]) -> Result<(), String> {
-    spec.style.check()?;
-    let panels: Vec<&PanelSpec> = spec.rows.iter().flat_map(|row| &row.panels).collect();
-    if panels.is_empty() {
-        return Err("the figure has no panels; expected at least one".into());
-    }
-    let wanted = panels.iter().flat_map(|panel| &panel.subjects);
-    if let Some(missing) = wanted.copied().find(|at| *at >= subjects.len()) {
-        return Err(format!(
-            "a panel names subject {missing}; the figure has {}, counted from 0",
-            subjects.len()
-        ));
-    }
-    for row in &spec.rows {
-        if let Some(height) = row.height_mm.filter(|mm| !(5.0..=2000.0).contains(mm)) {
-            return Err(format!("height_mm is {height}; expected 5 to 2000"));
-        }
-    }
-    Ok(())
 }
 
 /// Subjects as a panel draws them: curves are named below the page and not in each panel.
