@@ -7,8 +7,8 @@ use crate::brdf::{Fresnel, MODELS, PHONG, fresnel::FRESNELS};
 use crate::export::fonts::lacking_text;
 use crate::export::preset::{PRESETS, Preset, PresetOptions};
 use crate::export::{
-    ExportError, FORMATS, FigureFormat, FigureSpec, OpenedTables, open_from_files, prepare,
-    write_figure,
+    ExportError, FORMATS, FigureFormat, FigureSpec, OpenedTables, SubjectSource, check_writable,
+    open_from_files, prepare, spec_beside, write_figure,
 };
 use crate::figure::page::{Inks, SAME_AXES, SameAxes, Style, style_limits};
 use crate::figure::scale::{RADIAL_SCALES, RadialScale};
@@ -173,9 +173,15 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     let outputs = args.outputs()?;
     let mut opened = OpenedTables::new();
     let (mut spec, folder) = match &args.preset {
-        Some(key) => (preset(args, key, &mut opened)?, PathBuf::new()),
+        Some(key) => {
+            let inputs: Vec<&Path> = args.files.iter().map(PathBuf::as_path).collect();
+            let beside: Vec<PathBuf> = args.output.iter().map(|path| spec_beside(path)).collect();
+            super::spare_inputs("figure", beside.iter().map(PathBuf::as_path), &inputs)?;
+            (preset(args, key, &mut opened)?, PathBuf::new())
+        }
         None => from_file(&args.files)?,
     };
+    args.spare_data(&spec, &folder)?;
     args.look.apply(&mut spec.style);
     let spec = spec.settled();
     let go_on = &mut || ControlFlow::Continue(());
@@ -192,7 +198,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
 impl Args {
     /// The files to write with their formats, as far as can be told before there is a figure.
     fn outputs(&self) -> Result<Vec<(PathBuf, FigureFormat)>, CliError> {
-        let inputs: Vec<PathBuf> = self.files.iter().map(|file| files::place(file)).collect();
+        let inputs: Vec<&Path> = self.files.iter().map(PathBuf::as_path).collect();
         let mut places = Vec::new();
         let mut outputs = Vec::new();
         for path in &self.output {
@@ -205,20 +211,33 @@ impl Args {
                 ));
             };
             let place = files::place(path);
-            if inputs.contains(&place) {
-                let path = path.display();
-                return usage(format!("the output would replace an input: {path}"));
-            }
+            super::spare_inputs("figure", [path.as_path()], &inputs)?;
             if places.contains(&place) {
                 let path = path.display();
                 return usage(format!("the output is given twice; give it once: {path}"));
             }
             // Said now and not after the fits.
-            files::check_writable(path, self.force)?;
+            check_writable(path, self.force)?;
             places.push(place);
             outputs.push((path.clone(), format));
         }
         Ok(outputs)
+    }
+
+    /// Refuses to write over the data of a figure, or over its spec over them.
+    fn spare_data(&self, spec: &FigureSpec, folder: &Path) -> Result<(), CliError> {
+        let files = spec
+            .subjects
+            .iter()
+            .filter_map(|subject| match &subject.source {
+                SubjectSource::Measured { file, .. } => Some(file.places(folder)),
+                _ => None,
+            });
+        let data: Vec<PathBuf> = files.flatten().collect();
+        let data: Vec<&Path> = data.iter().map(PathBuf::as_path).collect();
+        let beside = self.output.iter().map(|path| spec_beside(path));
+        let written: Vec<PathBuf> = self.output.iter().cloned().chain(beside).collect();
+        super::spare_inputs("figure", written.iter().map(PathBuf::as_path), &data)
     }
 }
 

@@ -14,13 +14,13 @@ mod sample;
 mod table;
 
 use crate::app;
-use crate::files::FileError;
+use crate::files::{self, FileError};
 use crate::gpu;
 use clap::error::ErrorKind as UsageError;
 use clap::{CommandFactory as _, Parser, Subcommand};
 use std::fmt::Display;
 use std::io::{self, ErrorKind, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// A desktop BRDF explorer for the angles at which Phong models go wrong.
@@ -131,6 +131,27 @@ fn finish(result: Result<(), CliError>) -> ExitCode {
         Err(error) => {
             report(&error);
             ExitCode::FAILURE
+        }
+    }
+}
+
+/// Refuses an output that is one of the inputs, under whatever name; `--force` does not change that.
+fn spare_inputs<'p>(
+    command: &'static str,
+    outputs: impl IntoIterator<Item = &'p Path>,
+    inputs: &[&Path],
+) -> Result<(), CliError> {
+    let is_input = |output: &&Path| {
+        inputs
+            .iter()
+            .any(|input| files::is_same_file(input, output))
+    };
+    match outputs.into_iter().find(is_input) {
+        None => Ok(()),
+        Some(path) => {
+            let path = path.display();
+            let text = format!("the output would replace an input; choose another name: {path}");
+            Err(CliError::Usage(command, text))
         }
     }
 }

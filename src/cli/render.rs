@@ -101,6 +101,12 @@ enum PictureFormat {
 
 pub fn run(args: &Args) -> Result<(), CliError> {
     let format = format_of(&args.output)?;
+    let inputs: Vec<&Path> = [Some(&args.source), args.split.as_ref()]
+        .into_iter()
+        .flatten()
+        .map(PathBuf::as_path)
+        .collect();
+    super::spare_inputs("render", [args.output.as_path()], &inputs)?;
     // Said now and not after the work.
     files::check_writable(&args.output, args.force)?;
     let source = sphere_source(args)?;

@@ -6,7 +6,7 @@ use super::spec::{FigureSpec, spec_beside};
 use crate::figure::page::{Page, only_sphere};
 use crate::figure::sphere_image::render_part;
 use crate::figure::write::{font, pdf, raster, svg};
-use crate::files::{self, write_atomically};
+use crate::files::{self, FileError, write_atomically};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::io::Cursor;
@@ -112,6 +112,16 @@ fn exr(spec: &FigureSpec, prepared: &Prepared, dpi: f64) -> Result<Vec<u8>, Stri
         .write_exr(&mut bytes)
         .map_err(|error| format!("cannot make the EXR: {error}"))?;
     Ok(bytes.into_inner())
+}
+
+/// Checks whether a figure could be written, and its spec beside it, as far as is known without writing and drawing: for an
+/// error before long work. A spec that is there may be the figure's own.
+///
+/// # Errors
+/// One line with the path last.
+pub fn check_writable(figure: &Path, force: bool) -> Result<(), FileError> {
+    files::check_writable(figure, force)?;
+    files::check_writable(&spec_beside(figure), true)
 }
 
 /// Draws a figure, writes it in one or several formats and, beside each file, its spec. Files that are there are refused

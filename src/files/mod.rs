@@ -20,5 +20,5 @@ pub use open::{
     Json, OnProgress, OpenedSource, identify, open_json, open_measured, open_model, open_models,
     open_source, open_table, read_text,
 };
-pub use paths::{absolute, last_name, material_name, named_place, place};
+pub use paths::{absolute, is_same_file, last_name, material_name, named_place, place};
 pub use write::{check_writable, write_atomically};

@@ -16,6 +16,7 @@ mod cli_figure;
 mod cli_fit;
 mod cli_render;
 mod fonts;
+mod inputs;
 mod odd_names;
 mod specs;
 mod startup;

@@ -27,7 +27,7 @@ fn what_cannot_be_drawn_is_named_and_nothing_is_drawn() {
             r#"{{"sphere": {{"view": {{"lights": [{{"direction": {direction}, "strength": [1, 1, 1]}}]}}}}}}"#
         )
     };
-    let six = vec![r#"{"direction": [0, 0, 1], "strength": [1, 1, 1]}"#; 6].join(", ");
+    let six = [r#"{"direction": [0, 0, 1], "strength": [1, 1, 1]}"#; 6].join(", ");
     let cases = [
         (
             r#"{"landscape": {"view": {"x": [0, 45], "y": [0, 1]}}}"#.into(),
