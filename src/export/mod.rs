@@ -12,11 +12,13 @@ pub mod fit_output;
 pub mod fonts;
 mod prepare;
 pub mod preset;
+mod recipe;
 mod spec;
 mod write;
 
 pub use error::ExportError;
 pub use prepare::{OpenedTable, OpenedTables, Prepared, open_from_files, prepare};
+pub use recipe::recipe_in;
 pub use spec::{FigureSpec, SubjectLook, SubjectSource, SubjectSpec, spec_beside};
 pub use write::{FORMATS, FigureFormat, check_writable, write_figure};
 

@@ -197,6 +197,7 @@ impl FigureSpec {
     pub fn draw(&self, prepared: &Prepared) -> Result<Page, ExportError> {
         let page = draw(&self.page(), &prepared.subjects, &prepared.made);
         let mut page = page.map_err(ExportError::Other)?;
+        page.paper.recipe = Some(self.recipe());
         page.paper.fallback = fonts::for_letters(&font::lacking(&page.paper.drawing, &[]));
         Ok(page)
     }

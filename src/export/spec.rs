@@ -2,6 +2,7 @@
 
 use super::error::ExportError;
 use super::fit_output;
+use super::recipe::recipe_in;
 use crate::brdf::Brdf;
 use crate::figure::faults::Faults;
 use crate::figure::page::{self, PageSpec, RowSpec, Style};
@@ -150,12 +151,15 @@ impl FigureSpec {
         })
     }
 
-    /// Reads a figure from a file, all of which can be drawn.
+    /// Reads a figure from a file, or from the recipe that a picture carries; all of it can be drawn.
     ///
     /// # Errors
     /// One line with the path last.
     pub fn open(path: &Path) -> Result<Self, ExportError> {
-        let text = files::read_text(path)?;
+        let text = match recipe_in(path)? {
+            Some(text) => text,
+            None => files::read_text(path)?,
+        };
         let read = || {
             let mut spec = Self::from_json(&text)?;
             let mut faults = Faults::default();

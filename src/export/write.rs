@@ -124,7 +124,8 @@ pub fn check_writable(figure: &Path, force: bool) -> Result<(), FileError> {
     files::check_writable(&spec_beside(figure), true)
 }
 
-/// Draws a figure, writes it in one or several formats and, beside each file, its spec. Files that are there are refused
+/// Draws a figure, writes its spec beside each file and then the figure in one or several formats: whoever is interrupted has
+/// a new spec beside an old figure at worst, and a picture carries the recipe that fits it. Files that are there are refused
 /// unless `force`, before anything is written; a spec that is there already with the same bytes is no conflict. `kept` is a
 /// spec that is left as it is, the one that is drawn. Gives back the letters that no font has, where such are drawn.
 ///
@@ -160,7 +161,7 @@ pub fn write_figure(
     let specs = beside
         .into_iter()
         .map(|path| (path, spec.to_json().into_bytes()));
-    for (path, bytes) in figures.into_iter().chain(specs) {
+    for (path, bytes) in specs.chain(figures) {
         write_atomically(&path, force, |file| file.write_all(&bytes))?;
     }
     Ok(if outputs.iter().any(|(_, format)| format.has_text()) {

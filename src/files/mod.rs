@@ -2,6 +2,7 @@
 //!
 //! May know [`crate::geom`], [`crate::brdf`], [`crate::measured`] and [`crate::fit`]; knows no egui, wgpu or threads.
 
+mod bytes;
 mod error;
 pub mod fits;
 pub mod folder;
@@ -13,6 +14,7 @@ mod paths;
 pub mod session;
 mod write;
 
+pub use bytes::{read_bytes, read_head};
 pub use error::FileError;
 pub use fits::SourceFile;
 pub use model_export::{MODEL_FORMATS, ModelFormat};

@@ -18,6 +18,7 @@ mod cli_render;
 mod fonts;
 mod inputs;
 mod odd_names;
+mod recipe;
 mod specs;
 mod startup;
 mod views;

@@ -103,6 +103,7 @@ pub fn draw(
             ground: (!spec.style.transparent).then_some([255; 3]),
             fallback: Vec::new(),
             title: title(&spec, subjects),
+            recipe: None,
         },
         table: DataTable::joined(&tables),
     })
