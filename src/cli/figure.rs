@@ -10,8 +10,10 @@ use crate::export::{
     ExportError, FORMATS, FigureFormat, FigureSpec, OpenedTables, SubjectSource, check_writable,
     open_from_files, prepare, spec_beside, write_figure,
 };
+use crate::figure::faults::{Faults, MOST_ANGLES};
 use crate::figure::page::{Inks, SAME_AXES, SameAxes, Style, style_limits};
 use crate::figure::scale::{RADIAL_SCALES, RadialScale};
+use crate::figure::write::raster::MOST_PIXELS;
 use crate::files::{self, FileError};
 use crate::geom::sphere::SphereView;
 use clap::builder::{PossibleValue, PossibleValuesParser};
@@ -57,7 +59,7 @@ pub struct Args {
     /// The Fresnel factor of the models
     #[arg(long, default_value = "exact", value_parser = PossibleValuesParser::new(FRESNELS.map(Fresnel::key)), requires = "preset")]
     fresnel: String,
-    /// Angles of incidence of lobes and slices in degrees
+    /// Angles of incidence of lobes and slices in degrees, at most 90
     #[arg(long, value_name = "DEG,…", value_delimiter = ',', default_value = "30,60,80", requires = "preset", allow_hyphen_values = true, value_parser = theta_i)]
     theta_i: Vec<f64>,
     /// How values become lengths; as the preset likes it where not given
@@ -177,13 +179,17 @@ pub fn run(args: &Args) -> Result<(), CliError> {
             let inputs: Vec<&Path> = args.files.iter().map(PathBuf::as_path).collect();
             let beside: Vec<PathBuf> = args.output.iter().map(|path| spec_beside(path)).collect();
             super::spare_inputs("figure", beside.iter().map(PathBuf::as_path), &inputs)?;
-            (preset(args, key, &mut opened)?, PathBuf::new())
+            (preset(args, key, &outputs, &mut opened)?, PathBuf::new())
         }
         None => from_file(&args.files)?,
     };
     args.spare_data(&spec, &folder)?;
+    args.check_pixels(&outputs, spec.style.width_mm, spec.style.dpi)?;
     args.look.apply(&mut spec.style);
     let spec = spec.settled();
+    let mut faults = Faults::default();
+    spec.clone().sanitize(&mut faults);
+    faults.result().or_else(usage)?;
     let go_on = &mut || ControlFlow::Continue(());
     let mut table = |source: &_| open_from_files(source, &folder, args.changed, &mut opened);
     let prepared = prepare(&spec, &mut table, go_on)?;
@@ -224,6 +230,30 @@ impl Args {
         Ok(outputs)
     }
 
+    /// Refuses a PNG of more pixels in a row than there can be, as the options have it or else the figure.
+    fn check_pixels(
+        &self,
+        outputs: &[(PathBuf, FigureFormat)],
+        width_mm: f64,
+        dpi: f64,
+    ) -> Result<(), CliError> {
+        let width_mm = self.look.width.unwrap_or(width_mm);
+        let dpi = self.look.dpi.unwrap_or(dpi);
+        let pixels = (width_mm / 25.4 * dpi).round();
+        let png = outputs
+            .iter()
+            .find(|(_, format)| *format == FigureFormat::Png);
+        match png {
+            Some((path, _)) if pixels > f64::from(MOST_PIXELS) => {
+                let path = path.display();
+                usage(format!(
+                    "a PNG of {pixels} pixels in a row; expected at most {MOST_PIXELS}: change --width or --dpi: {path}"
+                ))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// Refuses to write over the data of a figure, or over its spec over them.
     fn spare_data(&self, spec: &FigureSpec, folder: &Path) -> Result<(), CliError> {
         let files = spec
@@ -255,8 +285,20 @@ fn from_file(paths: &[PathBuf]) -> Result<(FigureSpec, PathBuf), CliError> {
     Ok((spec, path.parent().unwrap_or(Path::new("")).to_owned()))
 }
 
-fn preset(args: &Args, key: &str, opened: &mut OpenedTables) -> Result<FigureSpec, CliError> {
+fn preset(
+    args: &Args,
+    key: &str,
+    outputs: &[(PathBuf, FigureFormat)],
+    opened: &mut OpenedTables,
+) -> Result<FigureSpec, CliError> {
+    if args.theta_i.len() > MOST_ANGLES {
+        let count = args.theta_i.len();
+        return usage(format!(
+            "--theta-i has {count} angles; expected at most {MOST_ANGLES}"
+        ));
+    }
     let preset = Preset::by_key(key).unwrap_or(&PRESETS[0]);
+    args.check_pixels(outputs, preset.width_mm, Style::default().dpi)?;
     let model = MODELS.into_iter().find(|model| model.key == args.model);
     let options = PresetOptions {
         model: model.unwrap_or(&PHONG),

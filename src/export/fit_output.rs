@@ -6,6 +6,7 @@ use crate::figure::ViewSpec;
 use crate::figure::error_map::{ErrorMapSpec, Plane};
 use crate::figure::faults::Faults;
 use crate::figure::fit_output::FitOutput;
+use crate::figure::heatmap::HeatView;
 use crate::figure::landscape::{LandscapePanel, Terrain};
 use crate::figure::subject::{Source, Subject};
 use crate::fit::error_map::{Bin, DIRECTION_BINS, ErrorMap, error_map};
@@ -32,6 +33,24 @@ pub(super) fn sanitize(view: &mut ViewSpec, faults: &mut Faults) {
             faults.add("weight", format_args!("{weight:?}"), expected);
         });
         *weight = Weight::default().key().into();
+    }
+}
+
+/// The view without what does not change its fit output; `None` where it shows none.
+pub(super) fn wanted(view: &ViewSpec) -> Option<ViewSpec> {
+    match view {
+        ViewSpec::Landscape(spec) => Some(ViewSpec::Landscape(LandscapePanel {
+            path: Vec::new(),
+            here: None,
+            view: HeatView::default(),
+            ..spec.clone()
+        })),
+        ViewSpec::ErrorMap(spec) => Some(ViewSpec::ErrorMap(ErrorMapSpec {
+            scale: ErrorMapSpec::default().scale,
+            view: HeatView::default(),
+            ..spec.clone()
+        })),
+        _ => None,
     }
 }
 

@@ -4,6 +4,7 @@ use super::error::ExportError;
 use super::fit_output;
 use super::fonts;
 use super::spec::{FigureSpec, SubjectLook, SubjectSource, SubjectSpec};
+use crate::figure::ViewSpec;
 use crate::figure::fit_output::FitOutput;
 use crate::figure::page::{Page, draw};
 use crate::figure::subject::{Look, Source, Subject};
@@ -58,13 +59,27 @@ pub fn prepare(
     }
     let panels = spec.rows.iter().flat_map(|row| &row.panels);
     let mut all = Vec::new();
+    let mut outputs: Vec<(ViewSpec, Vec<Source>, FitOutput)> = Vec::new();
     for panel in panels {
         let of_panel: Vec<&Subject> = panel
             .subjects
             .iter()
             .filter_map(|at| subjects.get(*at))
             .collect();
-        all.push(fit_output::of_panel(&panel.view, &of_panel, follow)?);
+        let wanted = fit_output::wanted(&panel.view);
+        let sources: Vec<Source> = of_panel.iter().map(|one| one.source.clone()).collect();
+        let mut known = outputs.iter();
+        // Made once for all panels that show it.
+        let same = known.find(|(other, of, _)| Some(other) == wanted.as_ref() && *of == sources);
+        if let Some((_, _, output)) = same {
+            all.push(Some(output.clone()));
+            continue;
+        }
+        let output = fit_output::of_panel(&panel.view, &of_panel, follow)?;
+        if let (Some(wanted), Some(output)) = (wanted, &output) {
+            outputs.push((wanted, sources, output.clone()));
+        }
+        all.push(output);
     }
     Ok(Prepared {
         subjects,
@@ -190,12 +205,13 @@ impl SubjectSource {
 }
 
 impl FigureSpec {
-    /// Draws it from what [`prepare`] has brought, with fonts of the system for letters that the font of figures lacks.
+    /// Draws it from what [`prepare`] has brought, with fonts of the system for letters that the font of figures lacks;
+    /// `numbers` says whether its table is wanted too.
     ///
     /// # Errors
     /// One sentence.
-    pub fn draw(&self, prepared: &Prepared) -> Result<Page, ExportError> {
-        let page = draw(&self.page(), &prepared.subjects, &prepared.made);
+    pub fn draw(&self, prepared: &Prepared, numbers: bool) -> Result<Page, ExportError> {
+        let page = draw(&self.page(), &prepared.subjects, &prepared.made, numbers);
         let mut page = page.map_err(ExportError::Other)?;
         page.paper.recipe = Some(self.recipe());
         page.paper.fallback = fonts::for_letters(&font::lacking(&page.paper.drawing, &[]));

@@ -150,7 +150,10 @@ pub fn write_figure(
         files::check_writable(&spec_path, force)?;
         beside.push(spec_path);
     }
-    let page = spec.draw(prepared)?;
+    let numbers = outputs
+        .iter()
+        .any(|(_, format)| *format == FigureFormat::Csv);
+    let page = spec.draw(prepared, numbers)?;
     let bytes = |(path, format): &(PathBuf, FigureFormat)| {
         Ok((path.clone(), format.bytes(spec, prepared, &page)?))
     };

@@ -1,5 +1,6 @@
 //! One panel of a page: what a kind of view is on paper, what it is drawn from, and what comes out.
 
+use super::albedo::KnownAlbedos;
 use super::cosine::CosineFactor;
 use super::drawing::Drawing;
 use super::faults::Faults;
@@ -27,6 +28,11 @@ pub trait PanelView {
 
     /// Height of a panel `width` points wide that suits it: room for the picture and for words of the size `font`.
     fn height(&self, width: f32, font: f32) -> f32;
+
+    /// Curves of each subject.
+    fn curves(&self) -> usize {
+        usize::from(self.has_curves())
+    }
 
     /// Whether it has curves, which a legend below the page names.
     fn has_curves(&self) -> bool {
@@ -72,6 +78,10 @@ pub struct PanelInput<'a> {
     pub density: f32,
     /// Colours of the page.
     pub palette: &'a Palette,
+    /// Whether the numbers are wanted too; without them a large figure takes a tenth of the memory.
+    pub numbers: bool,
+    /// Albedo curves of the page that are known.
+    pub albedos: &'a KnownAlbedos,
 }
 
 impl PanelInput<'_> {

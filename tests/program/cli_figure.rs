@@ -490,6 +490,14 @@ fn wrong_options_and_files_have_one_line_each() {
     ] {
         usage(&unread, &out, &format!("--preset lobes {options}"), said);
     }
+    let png = folder.path("f.png");
+    let said = "a PNG of 94488 pixels in a row; expected at most 20000";
+    usage(
+        &unread,
+        &png,
+        "--preset lobes --width 1000 --dpi 2400",
+        said,
+    );
     usage(&fits, &fits, "--preset lobes", "expected one of .svg");
     usage(&fits, &out, "--theta-i 20", "--preset");
     let fails = |code: i32, input: &Path, options: &str, said: &str| {

@@ -35,10 +35,8 @@ fn no_command_replaces_its_input() {
     let directions = folder.file("d.csv", "theta_i,phi_i,theta_o,phi_o\n40,180,40,0\n");
     let spec = folder.file(
         "lobes.figure.json",
-        format!(
-            r#"{{"subjects": [{{"label": "d", "source": {{"measured": {{"file": {{"path": "d.binary", "bytes": null,
-                "sha256": null}}, "lookup": "smooth"}}}}}}], "rows": [{{"panels": [{{"subjects": [0], "view": "lobes"}}]}}]}}"#
-        ),
+        r#"{"subjects": [{"label": "d", "source": {"measured": {"file": {"path": "d.binary", "bytes": null,
+                "sha256": null}, "lookup": "smooth"}}}], "rows": [{"panels": [{"subjects": [0], "view": "lobes"}]}]}"#,
     );
     let cases: [(&Path, &str, Vec<&dyn AsRef<OsStr>>); 9] = [
         (

@@ -1,7 +1,7 @@
 //! Figure specs as a hand may write them: what cannot be drawn is named and nothing is drawn; what was ever written is read.
 
 use crate::common::folder::Folder;
-use crate::common::program::{failed_with, grazing, succeeded};
+use crate::common::program::{failed_with, grazing, stderr, succeeded};
 use grazing::export::FigureSpec;
 use serde_json::Value;
 use std::fs;
@@ -182,6 +182,35 @@ fn what_cannot_be_drawn_is_named_and_nothing_is_drawn() {
         failed_with(&result, 2, &spec, said);
         assert!(!out.exists());
     }
+    // More curves than memory is for: 4000 subjects at the three angles of a plot of lobes.
+    let many = (0..4000)
+        .map(|k| (k % 2).to_string())
+        .collect::<Vec<_>>()
+        .join(", ");
+    let text = with_view("\"lobes\"").replace("[0, 1]", &format!("[{many}]"));
+    let spec = folder.file("bad.figure.json", text);
+    let result = grazing(&[&"figure", &spec, &"-o", &out]);
+    failed_with(
+        &result,
+        2,
+        &spec,
+        "rows.curves is 12000; expected at most 10000 in a figure",
+    );
+    let angles = vec!["30"; 3000].join(",");
+    let args: [&dyn AsRef<std::ffi::OsStr>; 7] = [
+        &"figure",
+        &"--preset",
+        &"slices",
+        &"--theta-i",
+        &angles,
+        &"-o",
+        &out,
+    ];
+    let result = grazing(&args);
+    assert_eq!(result.status.code(), Some(2), "{}", stderr(&result));
+    let said = "--theta-i has 3000 angles; expected at most 90";
+    assert!(stderr(&result).contains(said), "{}", stderr(&result));
+    assert!(!out.exists());
     // Planted: nothing is wrong with any of the views.
     for view in ["sphere", "lobes", "lobe3d", "scatter"] {
         let spec = folder.file("good.figure.json", with_view(&format!("\"{view}\"")));

@@ -82,7 +82,7 @@ fn draw(
     go_on: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Result<Page, ExportError> {
     let prepared = prepared(drawable, go_on)?;
-    drawable.spec.draw(&prepared)
+    drawable.spec.draw(&prepared, true)
 }
 
 fn prepared(

@@ -19,6 +19,10 @@ impl PanelView for LobeSpec {
         0.5 * width + 4.0 * font
     }
 
+    fn curves(&self) -> usize {
+        self.theta_i.len()
+    }
+
     fn has_curves(&self) -> bool {
         true
     }
@@ -43,7 +47,11 @@ impl PanelView for LobeSpec {
         };
         let plot = LobePlot::new(&spec, input.subjects, input.size);
         PanelDrawing {
-            table: table(&plot, &spec, input.named),
+            table: if input.numbers {
+                table(&plot, &spec, input.named)
+            } else {
+                DataTable::default()
+            },
             axis: Some(plot.frame.axis),
             drawing: plot.drawing,
         }

@@ -5,6 +5,7 @@ use super::place::{PagePlacement, place};
 use super::spec::{PageSpec, PanelSpec, sanitize};
 use super::style::Style;
 use crate::figure::ViewSpec;
+use crate::figure::albedo::KnownAlbedos;
 use crate::figure::drawing::{
     Anchor, Drawing, Item, LARGEST_FONT, LINE_HEIGHT, Label, SMALLEST_FONT,
 };
@@ -12,7 +13,7 @@ use crate::figure::faults::Faults;
 use crate::figure::fit_output::FitOutput;
 use crate::figure::legend::{SWATCH_EM, draw_entry};
 use crate::figure::palette::Role;
-use crate::figure::panel::{PanelDrawing, PanelInput};
+use crate::figure::panel::PanelInput;
 use crate::figure::subject::{Look, Subject};
 use crate::figure::table::DataTable;
 use crate::figure::text::{RichText, elided};
@@ -32,7 +33,7 @@ const GAP_EM: f32 = 1.0;
 /// Around the page, in points.
 const MARGIN: f32 = 2.0;
 
-/// Draws a page. `made` has an entry per panel, row by row.
+/// Draws a page. `made` has an entry per panel, row by row; `numbers` says whether the table is wanted too.
 ///
 /// # Errors
 /// One sentence where the spec cannot be drawn: no panels, a number out of range, a subject that is not there.
@@ -40,6 +41,7 @@ pub fn draw(
     spec: &PageSpec,
     subjects: &[Subject],
     made: &[Option<FitOutput>],
+    numbers: bool,
 ) -> Result<Page, String> {
     let mut spec = spec.clone();
     let mut faults = Faults::default();
@@ -49,7 +51,8 @@ pub fn draw(
     let unlocked = spec.clone();
     let layout = PageLayout::new(&unlocked);
     let places = layout.places();
-    let draw_panel = |panel: &PanelSpec, view: &ViewSpec, index: usize| -> PanelDrawing {
+    let albedos = KnownAlbedos::default();
+    let draw_panel = |panel: &PanelSpec, view: &ViewSpec, index: usize, numbers: bool| {
         let named: Vec<Subject> = panel
             .subjects
             .iter()
@@ -67,6 +70,8 @@ pub fn draw(
             size: [width / scale, height / scale],
             density: scale * (layout.style.dpi / 72.0) as f32,
             palette: &palette,
+            numbers,
+            albedos: &albedos,
         })
     };
     let panels: Vec<PanelSpec> = spec
@@ -75,13 +80,13 @@ pub fn draw(
         .flat_map(|row| row.panels.clone())
         .collect();
     lock(&mut spec, |index, view| {
-        draw_panel(&panels[index], view, index)
+        draw_panel(&panels[index], view, index, false)
     });
     let mut page = Drawing::new([layout.width, 0.0]);
     let mut tables = Vec::new();
     let panels = spec.rows.iter().flat_map(|row| &row.panels);
     for (index, panel) in panels.enumerate() {
-        let drawn = draw_panel(panel, &panel.view, index);
+        let drawn = draw_panel(panel, &panel.view, index, numbers);
         let [x, y, width, height] = places[index];
         let how = PagePlacement {
             at: [x, y],
@@ -105,7 +110,7 @@ pub fn draw(
             title: title(&spec, subjects),
             recipe: None,
         },
-        table: DataTable::joined(&tables),
+        table: DataTable::joined(tables),
     })
 }
 

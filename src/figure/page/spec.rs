@@ -33,11 +33,21 @@ pub struct RowSpec {
 /// Smallest and largest height of a row in millimetres.
 const HEIGHTS: [f64; 2] = [5.0, 2000.0];
 
+/// Most curves in a figure: each takes some ten thousand bytes while it is drawn.
+const MOST_CURVES: usize = 10_000;
+
 /// Brings a page of panels of so many subjects to the nearest that can be drawn. One without panels stays so.
 pub fn sanitize(rows: &mut [RowSpec], style: &mut Style, subjects: usize, faults: &mut Faults) {
     if rows.iter().all(|row| row.panels.is_empty()) {
         let expected = "at least one: the figure has no panels";
         faults.inside("rows", |faults| faults.add("panels", 0, expected));
+    }
+    let panels = rows.iter().flat_map(|row| &row.panels);
+    let curves = panels.map(|panel| panel.subjects.len() * panel.view.panel().curves());
+    let curves: usize = curves.sum();
+    if curves > MOST_CURVES {
+        let expected = format!("at most {MOST_CURVES} in a figure: subjects × angles of incidence");
+        faults.inside("rows", |faults| faults.add("curves", curves, expected));
     }
     faults.inside("rows", |faults| {
         for (position, row) in rows.iter_mut().enumerate() {

@@ -26,6 +26,10 @@ impl PanelView for SliceSpec {
         }
     }
 
+    fn curves(&self) -> usize {
+        self.slices()
+    }
+
     fn has_curves(&self) -> bool {
         true
     }
@@ -45,7 +49,11 @@ impl PanelView for SliceSpec {
     fn draw(&self, input: &PanelInput) -> PanelDrawing {
         let plot = SlicePlot::new(self, input.subjects, input.size);
         PanelDrawing {
-            table: table(&plot, self, input.named),
+            table: if input.numbers {
+                table(&plot, self, input.named)
+            } else {
+                DataTable::default()
+            },
             axis: Some(plot.frame.y),
             drawing: plot.drawing,
         }
