@@ -47,6 +47,8 @@ pub(super) fn lookup_parser() -> impl clap::builder::TypedValueParser<Value = Lo
 }
 
 pub fn run(args: &Args, out: &mut dyn Write) -> Result<(), CliError> {
+    let output = args.output.as_deref();
+    super::spare_inputs("eval", output, &[&args.source, &args.directions])?;
     // Everything is read before anything is written: a bad row leaves no half output.
     let directions = csv_table::read(&args.directions, &ADDED)?;
     let source = files::open_source(&args.source, args.index, &mut |_| ControlFlow::Continue(()))?;

@@ -60,6 +60,7 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<(), CliError> {
         let model = files::open_model(&args.source, args.index)?;
         return Ok(format.write(&model.brdf, model.material.as_deref(), out)?);
     };
+    super::spare_inputs("export", [path.as_path()], &[&args.source])?;
     let model = files::open_model(&args.source, args.index)?;
     let write = |file: &mut dyn Write| format.write(&model.brdf, model.material.as_deref(), file);
     Ok(write_atomically(path, args.force, write)?)

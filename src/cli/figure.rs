@@ -7,11 +7,13 @@ use crate::brdf::{Fresnel, MODELS, PHONG, fresnel::FRESNELS};
 use crate::export::fonts::lacking_text;
 use crate::export::preset::{PRESETS, Preset, PresetOptions};
 use crate::export::{
-    ExportError, FORMATS, FigureFormat, FigureSpec, OpenedTables, open_from_files, prepare,
-    write_figure,
+    ExportError, FORMATS, FigureFormat, FigureSpec, OpenedTables, SubjectSource, check_writable,
+    open_from_files, prepare, spec_beside, write_figure,
 };
-use crate::figure::page::{Inks, SAME_AXES, SameAxes, Style};
+use crate::figure::faults::{Faults, MOST_ANGLES};
+use crate::figure::page::{Inks, SAME_AXES, SameAxes, Style, style_limits};
 use crate::figure::scale::{RADIAL_SCALES, RadialScale};
+use crate::figure::write::raster::MOST_PIXELS;
 use crate::files::{self, FileError};
 use crate::geom::sphere::SphereView;
 use clap::builder::{PossibleValue, PossibleValuesParser};
@@ -57,7 +59,7 @@ pub struct Args {
     /// The Fresnel factor of the models
     #[arg(long, default_value = "exact", value_parser = PossibleValuesParser::new(FRESNELS.map(Fresnel::key)), requires = "preset")]
     fresnel: String,
-    /// Angles of incidence of lobes and slices in degrees
+    /// Angles of incidence of lobes and slices in degrees, at most 90
     #[arg(long, value_name = "DEG,…", value_delimiter = ',', default_value = "30,60,80", requires = "preset", allow_hyphen_values = true, value_parser = theta_i)]
     theta_i: Vec<f64>,
     /// How values become lengths; as the preset likes it where not given
@@ -80,16 +82,16 @@ pub struct Args {
 #[derive(clap::Args)]
 struct LookArgs {
     /// Width of the page in millimetres
-    #[arg(long, value_name = "MM")]
+    #[arg(long, value_name = "MM", value_parser = style("width_mm"), allow_hyphen_values = true)]
     width: Option<f64>,
     /// Font size in points
-    #[arg(long, value_name = "PT")]
+    #[arg(long, value_name = "PT", value_parser = style("font_pt"), allow_hyphen_values = true)]
     font: Option<f64>,
     /// Width of a curve in points
-    #[arg(long, value_name = "PT")]
+    #[arg(long, value_name = "PT", value_parser = style("line_pt"), allow_hyphen_values = true)]
     line: Option<f64>,
     /// Pixels to the inch: of pictures in the figure, and of a PNG
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = style("dpi"), allow_hyphen_values = true)]
     dpi: Option<f64>,
     /// Greys that a black and white printer tells apart
     #[arg(long)]
@@ -146,6 +148,17 @@ fn presets() -> PossibleValuesParser {
     )
 }
 
+/// The parser of a number of the style, which says what can be asked for.
+fn style(
+    key: &str,
+) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync + 'static + use<> {
+    let [low, high] = style_limits(key).unwrap_or([0.0, f64::MAX]);
+    move |text| match text.trim().parse::<f64>() {
+        Ok(value) if (low..=high).contains(&value) => Ok(value),
+        _ => Err(format!("expected a number from {low} to {high}")),
+    }
+}
+
 fn theta_i(text: &str) -> Result<f64, String> {
     let degrees: f64 = text
         .trim()
@@ -162,12 +175,21 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     let outputs = args.outputs()?;
     let mut opened = OpenedTables::new();
     let (mut spec, folder) = match &args.preset {
-        Some(key) => (preset(args, key, &mut opened)?, PathBuf::new()),
+        Some(key) => {
+            let inputs: Vec<&Path> = args.files.iter().map(PathBuf::as_path).collect();
+            let beside: Vec<PathBuf> = args.output.iter().map(|path| spec_beside(path)).collect();
+            super::spare_inputs("figure", beside.iter().map(PathBuf::as_path), &inputs)?;
+            (preset(args, key, &outputs, &mut opened)?, PathBuf::new())
+        }
         None => from_file(&args.files)?,
     };
+    args.spare_data(&spec, &folder)?;
+    args.check_pixels(&outputs, spec.style.width_mm, spec.style.dpi)?;
     args.look.apply(&mut spec.style);
     let spec = spec.settled();
-    spec.style.check().map_err(CliError::Other)?;
+    let mut faults = Faults::default();
+    spec.clone().sanitize(&mut faults);
+    faults.result().or_else(usage)?;
     let go_on = &mut || ControlFlow::Continue(());
     let mut table = |source: &_| open_from_files(source, &folder, args.changed, &mut opened);
     let prepared = prepare(&spec, &mut table, go_on)?;
@@ -182,7 +204,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
 impl Args {
     /// The files to write with their formats, as far as can be told before there is a figure.
     fn outputs(&self) -> Result<Vec<(PathBuf, FigureFormat)>, CliError> {
-        let inputs: Vec<PathBuf> = self.files.iter().map(|file| files::place(file)).collect();
+        let inputs: Vec<&Path> = self.files.iter().map(PathBuf::as_path).collect();
         let mut places = Vec::new();
         let mut outputs = Vec::new();
         for path in &self.output {
@@ -195,20 +217,57 @@ impl Args {
                 ));
             };
             let place = files::place(path);
-            if inputs.contains(&place) {
-                let path = path.display();
-                return usage(format!("the output would replace an input: {path}"));
-            }
+            super::spare_inputs("figure", [path.as_path()], &inputs)?;
             if places.contains(&place) {
                 let path = path.display();
                 return usage(format!("the output is given twice; give it once: {path}"));
             }
             // Said now and not after the fits.
-            files::check_writable(path, self.force)?;
+            check_writable(path, self.force)?;
             places.push(place);
             outputs.push((path.clone(), format));
         }
         Ok(outputs)
+    }
+
+    /// Refuses a PNG of more pixels in a row than there can be, as the options have it or else the figure.
+    fn check_pixels(
+        &self,
+        outputs: &[(PathBuf, FigureFormat)],
+        width_mm: f64,
+        dpi: f64,
+    ) -> Result<(), CliError> {
+        let width_mm = self.look.width.unwrap_or(width_mm);
+        let dpi = self.look.dpi.unwrap_or(dpi);
+        let pixels = (width_mm / 25.4 * dpi).round();
+        let png = outputs
+            .iter()
+            .find(|(_, format)| *format == FigureFormat::Png);
+        match png {
+            Some((path, _)) if pixels > f64::from(MOST_PIXELS) => {
+                let path = path.display();
+                usage(format!(
+                    "a PNG of {pixels} pixels in a row; expected at most {MOST_PIXELS}: change --width or --dpi: {path}"
+                ))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Refuses to write over the data of a figure, or over its spec over them.
+    fn spare_data(&self, spec: &FigureSpec, folder: &Path) -> Result<(), CliError> {
+        let files = spec
+            .subjects
+            .iter()
+            .filter_map(|subject| match &subject.source {
+                SubjectSource::Measured { file, .. } => Some(file.places(folder)),
+                _ => None,
+            });
+        let data: Vec<PathBuf> = files.flatten().collect();
+        let data: Vec<&Path> = data.iter().map(PathBuf::as_path).collect();
+        let beside = self.output.iter().map(|path| spec_beside(path));
+        let written: Vec<PathBuf> = self.output.iter().cloned().chain(beside).collect();
+        super::spare_inputs("figure", written.iter().map(PathBuf::as_path), &data)
     }
 }
 
@@ -226,8 +285,20 @@ fn from_file(paths: &[PathBuf]) -> Result<(FigureSpec, PathBuf), CliError> {
     Ok((spec, path.parent().unwrap_or(Path::new("")).to_owned()))
 }
 
-fn preset(args: &Args, key: &str, opened: &mut OpenedTables) -> Result<FigureSpec, CliError> {
+fn preset(
+    args: &Args,
+    key: &str,
+    outputs: &[(PathBuf, FigureFormat)],
+    opened: &mut OpenedTables,
+) -> Result<FigureSpec, CliError> {
+    if args.theta_i.len() > MOST_ANGLES {
+        let count = args.theta_i.len();
+        return usage(format!(
+            "--theta-i has {count} angles; expected at most {MOST_ANGLES}"
+        ));
+    }
     let preset = Preset::by_key(key).unwrap_or(&PRESETS[0]);
+    args.check_pixels(outputs, preset.width_mm, Style::default().dpi)?;
     let model = MODELS.into_iter().find(|model| model.key == args.model);
     let options = PresetOptions {
         model: model.unwrap_or(&PHONG),
@@ -252,6 +323,7 @@ impl From<ExportError> for CliError {
     fn from(error: ExportError) -> Self {
         match error {
             ExportError::File(error) => Self::File(error),
+            ExportError::Spec(error) => Self::Spec(error),
             error => Self::Other(error.to_string()),
         }
     }

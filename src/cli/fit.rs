@@ -8,7 +8,7 @@ use super::info::{ModelRow, write_models};
 use crate::brdf::fresnel::FRESNELS;
 use crate::brdf::{Fresnel, MODELS, Model, params};
 use crate::files::fits::{FitRecord, write_csv, write_json};
-use crate::files::{self, FileError, place, write_atomically};
+use crate::files::{self, FileError, write_atomically};
 use crate::fit::{FitOptions, Partial, Problem, StageSet, Variant, WEIGHTS, Weight, fit_all};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser as _};
 use progress::Bar;
@@ -202,17 +202,12 @@ impl Args {
             }
         }
         if let (Some(output), Some(csv)) = (&self.output, &self.csv)
-            && place(output) == place(csv)
+            && files::is_same_file(output, csv)
         {
             return usage("-o and --csv name the same file; expected two".into());
         }
-        for path in self.outputs() {
-            if self.files.iter().any(|file| place(file) == place(path)) {
-                let path = path.display();
-                return usage(format!("the output would replace a measured file: {path}"));
-            }
-        }
-        Ok(())
+        let inputs: Vec<&Path> = self.files.iter().map(PathBuf::as_path).collect();
+        super::spare_inputs("fit", self.outputs().map(PathBuf::as_path), &inputs)
     }
 }
 

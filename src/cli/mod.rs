@@ -1,6 +1,7 @@
 //! The command line: opens the window, or does the same work without one.
 //!
-//! Exit code 0: done. 1: failed, with one line on standard error. 2: the command line itself is wrong.
+//! Exit code 0: done. 1: failed, with one line on standard error. 2: the command line itself is wrong, or the spec of a figure
+//! that it names.
 
 mod csv_table;
 mod eval;
@@ -13,14 +14,14 @@ mod sample;
 mod table;
 
 use crate::app;
-use crate::files::FileError;
+use crate::files::{self, FileError};
 use crate::gpu;
 use crate::signals;
 use clap::error::ErrorKind as UsageError;
 use clap::{CommandFactory as _, Parser, Subcommand};
 use std::fmt::Display;
 use std::io::{self, ErrorKind, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// A desktop BRDF explorer for the angles at which Phong models go wrong.
@@ -57,6 +58,9 @@ enum CliCommand {
 enum CliError {
     #[error(transparent)]
     File(#[from] FileError),
+    /// A figure's spec asks for what cannot be drawn.
+    #[error(transparent)]
+    Spec(FileError),
     #[error("cannot write the output: {0}")]
     Output(#[from] io::Error),
     #[error("{0}")]
@@ -124,9 +128,34 @@ fn finish(result: Result<(), CliError>) -> ExitCode {
             }
         }
         Err(CliError::Reported) => ExitCode::FAILURE,
+        Err(error @ CliError::Spec(_)) => {
+            report(&error);
+            ExitCode::from(2)
+        }
         Err(error) => {
             report(&error);
             ExitCode::FAILURE
+        }
+    }
+}
+
+/// Refuses an output that is one of the inputs, under whatever name; `--force` does not change that.
+fn spare_inputs<'p>(
+    command: &'static str,
+    outputs: impl IntoIterator<Item = &'p Path>,
+    inputs: &[&Path],
+) -> Result<(), CliError> {
+    let is_input = |output: &&Path| {
+        inputs
+            .iter()
+            .any(|input| files::is_same_file(input, output))
+    };
+    match outputs.into_iter().find(is_input) {
+        None => Ok(()),
+        Some(path) => {
+            let path = path.display();
+            let text = format!("the output would replace an input; choose another name: {path}");
+            Err(CliError::Usage(command, text))
         }
     }
 }

@@ -13,7 +13,8 @@ use crate::geom::Rgb;
 use crate::geom::sphere::SphereView;
 use crate::measured::Lookup;
 use clap::ValueEnum;
-use std::io::{self, Cursor};
+use std::fs::File;
+use std::io::{self, BufWriter, Seek as _};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
@@ -39,7 +40,7 @@ pub struct Args {
     /// File to write; .png or .exr
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// Pixels a side
+    /// Pixels a side, at most 8192
     #[arg(long, value_name = "N", default_value_t = 512, value_parser = clap::value_parser!(u16).range(1..=8192))]
     size: u16,
     /// The lights: poster, glancing, grazing, viewer, or angles THETA,PHI[;THETA,PHI…] in degrees
@@ -101,6 +102,12 @@ enum PictureFormat {
 
 pub fn run(args: &Args) -> Result<(), CliError> {
     let format = format_of(&args.output)?;
+    let inputs: Vec<&Path> = [Some(&args.source), args.split.as_ref()]
+        .into_iter()
+        .flatten()
+        .map(PathBuf::as_path)
+        .collect();
+    super::spare_inputs("render", [args.output.as_path()], &inputs)?;
     // Said now and not after the work.
     files::check_writable(&args.output, args.force)?;
     let source = sphere_source(args)?;
@@ -110,10 +117,13 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     };
     let mut picture = render(&source, &view, args.size.into());
     picture.background = args.background.color();
-    let bytes = encode(&picture, format).map_err(|error| {
+    let mut encoded = encode(&picture, format, &args.output).map_err(|error| {
         FileError::new(&args.output, format!("cannot make the picture: {error}"))
     })?;
-    let write = |file: &mut dyn io::Write| file.write_all(&bytes);
+    let write = |file: &mut dyn io::Write| {
+        encoded.rewind()?;
+        io::copy(&mut encoded, file).map(drop)
+    };
     Ok(write_atomically(&args.output, args.force, write)?)
 }
 
@@ -129,13 +139,23 @@ fn format_of(path: &Path) -> Result<PictureFormat, FileError> {
     }
 }
 
-fn encode(picture: &LinearImage, format: PictureFormat) -> image::ImageResult<Vec<u8>> {
-    let mut file = Cursor::new(Vec::new());
+/// The bytes of the file in one without a name beside it: an EXR has no end before all of it is there, and a large one would
+/// fill the memory.
+fn encode(picture: &LinearImage, format: PictureFormat, beside: &Path) -> Result<File, String> {
+    let folder = beside
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty());
+    let file = tempfile::tempfile_in(folder.unwrap_or(Path::new(".")));
+    let mut file = BufWriter::new(file.map_err(|error| error.to_string())?);
     match format {
-        PictureFormat::Png => picture.write_png(&mut file)?,
-        PictureFormat::Exr => picture.write_exr(&mut file)?,
-    }
-    Ok(file.into_inner())
+        PictureFormat::Png => picture
+            .write_png(&mut file)
+            .map_err(|error| error.to_string()),
+        PictureFormat::Exr => picture
+            .write_exr(&mut file)
+            .map_err(|error| error.to_string()),
+    }?;
+    file.into_inner().map_err(|error| error.to_string())
 }
 
 fn sphere_source(args: &Args) -> Result<SphereSource, FileError> {

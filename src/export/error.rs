@@ -8,6 +8,9 @@ pub enum ExportError {
     /// A file cannot be read or written.
     #[error(transparent)]
     File(#[from] FileError),
+    /// A figure's spec says what cannot be drawn.
+    #[error(transparent)]
+    Spec(FileError),
     /// Something else.
     #[error("{0}")]
     Other(String),

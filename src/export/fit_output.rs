@@ -4,16 +4,55 @@ use super::error::ExportError;
 use crate::brdf::Fresnel;
 use crate::figure::ViewSpec;
 use crate::figure::error_map::{ErrorMapSpec, Plane};
+use crate::figure::faults::Faults;
 use crate::figure::fit_output::FitOutput;
+use crate::figure::heatmap::HeatView;
 use crate::figure::landscape::{LandscapePanel, Terrain};
 use crate::figure::subject::{Source, Subject};
 use crate::fit::error_map::{Bin, DIRECTION_BINS, ErrorMap, error_map};
 use crate::fit::landscape::{self, Eta, Landscape, landscape};
-use crate::fit::{Problem, ProblemError, Weight};
+use crate::fit::{Problem, ProblemError, WEIGHTS, Weight};
 use crate::keys;
 use crate::measured::Table;
 use crate::measured::grid::THETA_H_BINS;
 use std::ops::ControlFlow;
+
+/// Brings the weight of the cells, where a view has one, to one that there is.
+pub(super) fn sanitize(view: &mut ViewSpec, faults: &mut Faults) {
+    let view_key = view.key();
+    let (ViewSpec::Landscape(LandscapePanel { weight, .. })
+    | ViewSpec::ErrorMap(ErrorMapSpec { weight, .. })) = view
+    else {
+        return;
+    };
+    if Weight::by_key(weight).is_none() {
+        let keys = WEIGHTS.map(Weight::key);
+        let proposal = keys::did_you_mean(weight, keys);
+        let expected = format!("one of {}{proposal}", keys.join(", "));
+        faults.inside(view_key, |faults| {
+            faults.add("weight", format_args!("{weight:?}"), expected);
+        });
+        *weight = Weight::default().key().into();
+    }
+}
+
+/// The view without what does not change its fit output; `None` where it shows none.
+pub(super) fn wanted(view: &ViewSpec) -> Option<ViewSpec> {
+    match view {
+        ViewSpec::Landscape(spec) => Some(ViewSpec::Landscape(LandscapePanel {
+            path: Vec::new(),
+            here: None,
+            view: HeatView::default(),
+            ..spec.clone()
+        })),
+        ViewSpec::ErrorMap(spec) => Some(ViewSpec::ErrorMap(ErrorMapSpec {
+            scale: ErrorMapSpec::default().scale,
+            view: HeatView::default(),
+            ..spec.clone()
+        })),
+        _ => None,
+    }
+}
 
 /// Fit output that a panel of these subjects shows and cannot compute itself.
 ///
@@ -36,18 +75,13 @@ fn of_landscape(
     table: &Table,
     follow: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Result<FitOutput, ExportError> {
-    let fresnel = Fresnel::by_key(&spec.fresnel)
-        .ok_or_else(|| unknown("fresnel", &spec.fresnel, "none, exact, schlick"))?;
+    let fresnel = spec.fresnel;
     let eta = match (fresnel, spec.eta) {
         (Fresnel::None, _) => Eta::Fixed(1.0),
-        (_, Some(eta)) if eta >= 1.0 => Eta::Fixed(eta),
-        (_, Some(eta)) => {
-            let text = format!("eta is {eta}; expected at least 1, or null for the best one");
-            return Err(ExportError::Other(text));
-        }
+        (_, Some(eta)) => Eta::Fixed(eta),
         (_, None) => Eta::Optimised,
     };
-    let problem = Problem::new(table, weight(&spec.weight)?, spec.limit).map_err(no_problem)?;
+    let problem = Problem::new(table, weight(&spec.weight), spec.limit).map_err(no_problem)?;
     let made = landscape(&problem, fresnel, eta, &mut |_| follow()).ok_or(ExportError::Stopped)?;
     let best = made.best.map(|(brdf, error)| {
         let params = brdf.with_model(landscape::model()).params;
@@ -72,7 +106,7 @@ fn of_error_map(
     let model = model.ok_or_else(|| {
         ExportError::Other("an error map needs a model; add one to the panel's subjects".into())
     })?;
-    let map = error_map(table, weight(&spec.weight)?, spec.limit, model).map_err(no_problem)?;
+    let map = error_map(table, weight(&spec.weight), spec.limit, model).map_err(no_problem)?;
     let (bins, columns) = bins(spec.plane, &map);
     Ok(FitOutput::ErrorMap {
         parts: bins.iter().map(|bin| bin.map(|bin| bin.error)).collect(),
@@ -95,15 +129,9 @@ fn data<'a>(subjects: &[&'a Subject], view: &ViewSpec) -> Result<&'a Table, Expo
     })
 }
 
-fn weight(key: &str) -> Result<Weight, ExportError> {
-    Weight::by_key(key).ok_or_else(|| unknown("weight", key, "cells, solid-angle, cosine"))
-}
-
-fn unknown(what: &str, key: &str, expected: &str) -> ExportError {
-    let proposal = keys::did_you_mean(key, expected.split(", "));
-    ExportError::Other(format!(
-        "unknown {what} {key:?}; expected one of {expected}{proposal}"
-    ))
+/// The weight of a view that is sanitized.
+fn weight(key: &str) -> Weight {
+    Weight::by_key(key).unwrap_or_default()
 }
 
 fn no_problem(error: ProblemError) -> ExportError {

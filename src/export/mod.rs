@@ -12,13 +12,15 @@ pub mod fit_output;
 pub mod fonts;
 mod prepare;
 pub mod preset;
+mod recipe;
 mod spec;
 mod write;
 
 pub use error::ExportError;
-pub use prepare::{OpenedTables, Prepared, open_from_files, prepare};
+pub use prepare::{OpenedTable, OpenedTables, Prepared, open_from_files, prepare};
+pub use recipe::recipe_in;
 pub use spec::{FigureSpec, SubjectLook, SubjectSource, SubjectSpec, spec_beside};
-pub use write::{FORMATS, FigureFormat, write_figure};
+pub use write::{FORMATS, FigureFormat, check_writable, write_figure};
 
 #[cfg(test)]
 mod tests;

@@ -4,6 +4,7 @@ use super::error::ExportError;
 use super::fit_output;
 use super::fonts;
 use super::spec::{FigureSpec, SubjectLook, SubjectSource, SubjectSpec};
+use crate::figure::ViewSpec;
 use crate::figure::fit_output::FitOutput;
 use crate::figure::page::{Page, draw};
 use crate::figure::subject::{Look, Source, Subject};
@@ -13,6 +14,7 @@ use crate::files::{self, FileError};
 use crate::keys;
 use crate::measured::{Lookup, SAMPLES, SyntheticMaterial, Table};
 use std::collections::BTreeMap;
+use std::io;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -27,7 +29,16 @@ pub struct Prepared {
 }
 
 /// Data in memory by the place of their file.
-pub type OpenedTables = BTreeMap<PathBuf, Arc<Table>>;
+pub type OpenedTables = BTreeMap<PathBuf, OpenedTable>;
+
+/// Data in memory.
+#[derive(Clone, Debug)]
+pub struct OpenedTable {
+    /// The data.
+    pub table: Arc<Table>,
+    /// The file as it was read; `None` for a sample.
+    pub file: Option<SourceFile>,
+}
 
 /// Opens the data of a figure and makes what its panels show. `table` gives the data of a measured file or of a
 /// sample; each is asked for once per subject. `follow` breaks where nobody waits any more.
@@ -48,13 +59,27 @@ pub fn prepare(
     }
     let panels = spec.rows.iter().flat_map(|row| &row.panels);
     let mut all = Vec::new();
+    let mut outputs: Vec<(ViewSpec, Vec<Source>, FitOutput)> = Vec::new();
     for panel in panels {
         let of_panel: Vec<&Subject> = panel
             .subjects
             .iter()
             .filter_map(|at| subjects.get(*at))
             .collect();
-        all.push(fit_output::of_panel(&panel.view, &of_panel, follow)?);
+        let wanted = fit_output::wanted(&panel.view);
+        let sources: Vec<Source> = of_panel.iter().map(|one| one.source.clone()).collect();
+        let mut known = outputs.iter();
+        // Made once for all panels that show it.
+        let same = known.find(|(other, of, _)| Some(other) == wanted.as_ref() && *of == sources);
+        if let Some((_, _, output)) = same {
+            all.push(Some(output.clone()));
+            continue;
+        }
+        let output = fit_output::of_panel(&panel.view, &of_panel, follow)?;
+        if let (Some(wanted), Some(output)) = (wanted, &output) {
+            outputs.push((wanted, sources, output.clone()));
+        }
+        all.push(output);
     }
     Ok(Prepared {
         subjects,
@@ -96,22 +121,31 @@ pub fn open_from_files(
     match source {
         SubjectSource::Measured { file, .. } => {
             let place = place_of(file, folder)?;
-            if let Some(table) = known.get(&place) {
-                return Ok(Arc::clone(table));
-            }
-            let (table, found) = files::open_measured(&place, &mut |_| ControlFlow::Continue(()))?;
-            if found.same_data(file) == Some(false) && !changed_is_fine {
+            let opened = match known.get(&place) {
+                Some(opened) => opened.clone(),
+                None => {
+                    let go_on = &mut |_| ControlFlow::Continue(());
+                    let (table, found) = files::open_measured(&place, go_on)?;
+                    OpenedTable {
+                        table: Arc::new(table),
+                        file: Some(found),
+                    }
+                }
+            };
+            // Of each subject: two may name one path with different bytes.
+            let same = opened.file.as_ref().and_then(|found| found.same_data(file));
+            if same == Some(false) && !changed_is_fine {
                 let what = "the file is not the one that the figure was drawn from (its SHA-256 differs); --changed draws it all the same";
                 return Err(FileError::new(&place, what).into());
             }
-            let table = Arc::new(table);
-            known.insert(place, Arc::clone(&table));
+            let table = Arc::clone(&opened.table);
+            known.insert(place, opened);
             Ok(table)
         }
         SubjectSource::Sample { key, .. } => {
             let place = PathBuf::from(format!("sample:{key}"));
-            if let Some(table) = known.get(&place) {
-                return Ok(Arc::clone(table));
+            if let Some(opened) = known.get(&place) {
+                return Ok(Arc::clone(&opened.table));
             }
             let sample = SyntheticMaterial::by_key(key).ok_or_else(|| {
                 let proposal = keys::did_you_mean(key, SAMPLES.iter().map(|sample| sample.key));
@@ -120,7 +154,11 @@ pub fn open_from_files(
                 ))
             })?;
             let table = Arc::new(sample.synthesize());
-            known.insert(place, Arc::clone(&table));
+            let opened = OpenedTable {
+                table: Arc::clone(&table),
+                file: None,
+            };
+            known.insert(place, opened);
             Ok(table)
         }
         SubjectSource::Model(_) => Err(ExportError::Other("a model has no data".into())),
@@ -131,7 +169,19 @@ fn place_of(file: &SourceFile, folder: &Path) -> Result<PathBuf, FileError> {
     let places = file.places(folder);
     let found = places.iter().find(|place| place.is_file()).cloned();
     found.ok_or_else(|| {
-        let what = "the measured file of the figure is missing; put it there or beside the figure";
+        // What is there and cannot be reached is not missing.
+        for place in &places {
+            if let Err(error) = place.metadata()
+                && error.kind() == io::ErrorKind::PermissionDenied
+            {
+                return FileError::io(place, "cannot open the file", &error);
+            }
+        }
+        let what = if file.path.to_string_lossy().contains(char::REPLACEMENT_CHARACTER) {
+            "the measured file of the figure is missing; its path has U+FFFD where a name was no UTF-8: write it as {\"bytes\": …}, with %E9 for such a byte"
+        } else {
+            "the measured file of the figure is missing; put it there or beside the figure"
+        };
         FileError::new(&places[0], what)
     })
 }
@@ -155,13 +205,15 @@ impl SubjectSource {
 }
 
 impl FigureSpec {
-    /// Draws it from what [`prepare`] has brought, with fonts of the system for letters that the font of figures lacks.
+    /// Draws it from what [`prepare`] has brought, with fonts of the system for letters that the font of figures lacks;
+    /// `numbers` says whether its table is wanted too.
     ///
     /// # Errors
     /// One sentence.
-    pub fn draw(&self, prepared: &Prepared) -> Result<Page, ExportError> {
-        let page = draw(&self.page(), &prepared.subjects, &prepared.made);
+    pub fn draw(&self, prepared: &Prepared, numbers: bool) -> Result<Page, ExportError> {
+        let page = draw(&self.page(), &prepared.subjects, &prepared.made, numbers);
         let mut page = page.map_err(ExportError::Other)?;
+        page.paper.recipe = Some(self.recipe());
         page.paper.fallback = fonts::for_letters(&font::lacking(&page.paper.drawing, &[]));
         Ok(page)
     }

@@ -179,7 +179,7 @@ pub static PRESETS: [Preset; 11] = [
             b.grid(1, |_, material| {
                 let fit = material.models.first();
                 ViewSpec::Landscape(LandscapePanel {
-                    fresnel: fit.map_or("exact", |fit| fit.fresnel.key()).into(),
+                    fresnel: fit.map_or(Fresnel::Exact, |fit| fit.fresnel),
                     eta: fit.map(|fit| fit.params.eta),
                     here: fit.map(|fit| {
                         let params = fit.with_model(crate::fit::landscape::model()).params;

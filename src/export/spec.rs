@@ -1,13 +1,18 @@
 //! A figure as a file: everything that it takes to draw it again.
 
+use super::error::ExportError;
+use super::fit_output;
+use super::recipe::recipe_in;
 use crate::brdf::Brdf;
-use crate::figure::page::{PageSpec, RowSpec, Style};
+use crate::figure::faults::Faults;
+use crate::figure::page::{self, PageSpec, RowSpec, Style};
 use crate::figure::subject::Look;
 use crate::files::fits::SourceFile;
 use crate::files::{self, FileError};
 use crate::keys;
-use crate::measured::Lookup;
+use crate::measured::{Lookup, SAMPLES, SyntheticMaterial};
 use serde::{Deserialize, Serialize};
+use serde_path_to_error::Segment;
 use std::path::{Path, PathBuf};
 
 /// A figure: whose f_r, how it is shown, how it looks.
@@ -135,17 +140,49 @@ impl FigureSpec {
             return Err("this is no figure: \"rows\" is missing; expected a .figure.json that Grazing has written".into());
         }
         // From the text again: an error in it says line and column.
-        serde_json::from_str(text)
-            .map_err(|error| format!("not a figure: {}", keys::with_proposal(&error)))
+        let mut reader = serde_json::Deserializer::from_str(text);
+        serde_path_to_error::deserialize(&mut reader).map_err(|error| {
+            let said = keys::with_proposal(error.inner());
+            let keys: Vec<String> = error.path().iter().filter_map(key_of).collect();
+            match keys.as_slice() {
+                [] => format!("not a figure: {said}"),
+                keys => format!("not a figure: {}: {said}", keys.join(".")),
+            }
+        })
     }
 
-    /// Reads a figure from a file.
+    /// Reads a figure from a file, or from the recipe that a picture carries; all of it can be drawn.
     ///
     /// # Errors
     /// One line with the path last.
-    pub fn open(path: &Path) -> Result<Self, FileError> {
-        let text = files::read_text(path)?;
-        Self::from_json(&text).map_err(|what| FileError::new(path, what))
+    pub fn open(path: &Path) -> Result<Self, ExportError> {
+        let text = match recipe_in(path)? {
+            Some(text) => text,
+            None => files::read_text(path)?,
+        };
+        let read = || {
+            let mut spec = Self::from_json(&text)?;
+            let mut faults = Faults::default();
+            spec.sanitize(&mut faults);
+            faults.result().map(|()| spec)
+        };
+        read().map_err(|what| ExportError::Spec(FileError::new(path, what)))
+    }
+
+    /// Brings every value to the nearest that can be drawn, and names those that it changed.
+    pub fn sanitize(&mut self, faults: &mut Faults) {
+        faults.inside("subjects", |faults| {
+            for (position, subject) in self.subjects.iter().enumerate() {
+                faults.inside(position.to_string(), |faults| subject.check(faults));
+            }
+        });
+        let count = self.subjects.len();
+        page::sanitize(&mut self.rows, &mut self.style, count, faults);
+        faults.inside("rows", |faults| {
+            for (position, row) in self.rows.iter_mut().enumerate() {
+                faults.inside(position.to_string(), |faults| sanitize_weights(row, faults));
+            }
+        });
     }
 
     /// The text of its file. The same figure gives the same text.
@@ -159,10 +196,12 @@ impl FigureSpec {
         files::read_text(path).is_ok_and(|text| text == self.to_json())
     }
 
-    /// The figure as it is read back from its file, where angles are rounded: what is drawn now and what is drawn from
-    /// the file are the same.
+    /// The figure as it is read back from its file, where angles are rounded, with every value that cannot be drawn brought
+    /// to the nearest: what is drawn now and what is drawn from the file are the same.
     pub fn settled(&self) -> Self {
-        Self::from_json(&self.to_json()).unwrap_or_else(|_| self.clone())
+        let mut spec = Self::from_json(&self.to_json()).unwrap_or_else(|_| self.clone());
+        spec.sanitize(&mut Faults::default());
+        spec
     }
 
     /// Spec of its page.
@@ -171,6 +210,43 @@ impl FigureSpec {
             rows: self.rows.clone(),
             style: self.style.clone(),
         }
+    }
+}
+
+impl SubjectSpec {
+    /// Names a sample that there is not; there is none that is nearest.
+    fn check(&self, faults: &mut Faults) {
+        let SubjectSource::Sample { key, .. } = &self.source else {
+            return;
+        };
+        if SyntheticMaterial::by_key(key).is_none() {
+            let known = SAMPLES.each_ref().map(|sample| sample.key);
+            let proposal = keys::did_you_mean(key, known);
+            let expected = format!("one of {}{proposal}", known.join(", "));
+            faults.inside("source.sample", |faults| {
+                faults.add("key", format_args!("{key:?}"), expected);
+            });
+        }
+    }
+}
+
+fn sanitize_weights(row: &mut RowSpec, faults: &mut Faults) {
+    faults.inside("panels", |faults| {
+        for (position, panel) in row.panels.iter_mut().enumerate() {
+            let view = &mut panel.view;
+            faults.inside(format!("{position}.view"), |faults| {
+                fit_output::sanitize(view, faults);
+            });
+        }
+    });
+}
+
+/// A step of the way to a value in JSON; a case of an enum is a key too.
+fn key_of(step: &Segment) -> Option<String> {
+    match step {
+        Segment::Seq { index } => Some(index.to_string()),
+        Segment::Map { key } => Some(key.clone()),
+        Segment::Enum { .. } | Segment::Unknown => None,
     }
 }
 

@@ -107,7 +107,7 @@ fn a_sphere_alone_is_an_exr_and_other_figures_are_not() {
     let preset = Preset::by_key("sphere").expect("a preset");
     let spec = preset.figure(&materials(preset, &["a"]), &options());
     let prepared_sphere = prepared(&spec);
-    let page = spec.draw(&prepared_sphere).expect("a page");
+    let page = spec.draw(&prepared_sphere, true).expect("a page");
     let bytes = FigureFormat::Exr
         .bytes(&spec, &prepared_sphere, &page)
         .expect("an EXR");
@@ -123,7 +123,7 @@ fn a_sphere_alone_is_an_exr_and_other_figures_are_not() {
     );
     let two = preset.figure(&materials(preset, &["a", "b"]), &options());
     let prepared_two = prepared(&two);
-    let page = two.draw(&prepared_two).expect("a page");
+    let page = two.draw(&prepared_two, true).expect("a page");
     let said = FigureFormat::Exr.bytes(&two, &prepared_two, &page);
     assert!(said.expect_err("two").to_string().contains("one sphere"));
 }
@@ -156,4 +156,36 @@ fn a_format_is_that_of_the_name_and_the_spec_is_beside() {
         spec_beside(Path::new("a/b.pdf")),
         Path::new("a/b.figure.json")
     );
+}
+
+#[test]
+fn a_landscape_is_computed_once_for_all_panels_that_show_it() {
+    let preset = Preset::by_key("landscape").expect("a preset");
+    let mut spec = preset.figure(&materials(preset, &["a"]), &options());
+    let landscapes = |spec: &FigureSpec| {
+        let mut opened = OpenedTables::new();
+        let mut table = |source: &_| open_from_files(source, Path::new(""), false, &mut opened);
+        let mut steps = 0;
+        let follow = &mut || {
+            steps += 1;
+            ControlFlow::Continue(())
+        };
+        let made = prepare(spec, &mut table, follow).expect("is prepared").made;
+        (steps, made)
+    };
+    let (once, alone) = landscapes(&spec);
+    let panel = spec.rows[0].panels[0].clone();
+    spec.rows[0].panels.push(panel);
+    // What is in sight is no matter.
+    if let ViewSpec::Landscape(seen) = &mut spec.rows[0].panels[1].view {
+        seen.view.x = (0.0, 0.5);
+    }
+    let (twice, both) = landscapes(&spec);
+    assert_eq!(twice, once);
+    assert_eq!(both, [alone.clone(), alone].concat());
+    // Planted: with another limit it is another one.
+    if let ViewSpec::Landscape(seen) = &mut spec.rows[0].panels[1].view {
+        seen.limit = 1.2;
+    }
+    assert!(landscapes(&spec).0 > once);
 }

@@ -6,7 +6,7 @@ use super::spec::{FigureSpec, spec_beside};
 use crate::figure::page::{Page, only_sphere};
 use crate::figure::sphere_image::render_part;
 use crate::figure::write::{font, pdf, raster, svg};
-use crate::files::{self, write_atomically};
+use crate::files::{self, FileError, write_atomically};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::io::Cursor;
@@ -114,7 +114,18 @@ fn exr(spec: &FigureSpec, prepared: &Prepared, dpi: f64) -> Result<Vec<u8>, Stri
     Ok(bytes.into_inner())
 }
 
-/// Draws a figure, writes it in one or several formats and, beside each file, its spec. Files that are there are refused
+/// Checks whether a figure could be written, and its spec beside it, as far as is known without writing and drawing: for an
+/// error before long work. A spec that is there may be the figure's own.
+///
+/// # Errors
+/// One line with the path last.
+pub fn check_writable(figure: &Path, force: bool) -> Result<(), FileError> {
+    files::check_writable(figure, force)?;
+    files::check_writable(&spec_beside(figure), true)
+}
+
+/// Draws a figure, writes its spec beside each file and then the figure in one or several formats: whoever is interrupted has
+/// a new spec beside an old figure at worst, and a picture carries the recipe that fits it. Files that are there are refused
 /// unless `force`, before anything is written; a spec that is there already with the same bytes is no conflict. `kept` is a
 /// spec that is left as it is, the one that is drawn. Gives back the letters that no font has, where such are drawn.
 ///
@@ -139,7 +150,10 @@ pub fn write_figure(
         files::check_writable(&spec_path, force)?;
         beside.push(spec_path);
     }
-    let page = spec.draw(prepared)?;
+    let numbers = outputs
+        .iter()
+        .any(|(_, format)| *format == FigureFormat::Csv);
+    let page = spec.draw(prepared, numbers)?;
     let bytes = |(path, format): &(PathBuf, FigureFormat)| {
         Ok((path.clone(), format.bytes(spec, prepared, &page)?))
     };
@@ -150,7 +164,7 @@ pub fn write_figure(
     let specs = beside
         .into_iter()
         .map(|path| (path, spec.to_json().into_bytes()));
-    for (path, bytes) in figures.into_iter().chain(specs) {
+    for (path, bytes) in specs.chain(figures) {
         write_atomically(&path, force, |file| file.write_all(&bytes))?;
     }
     Ok(if outputs.iter().any(|(_, format)| format.has_text()) {

@@ -2,6 +2,8 @@
 
 mod panel;
 
+pub use panel::KnownAlbedos;
+
 use super::drawing::{Drawing, Point};
 use super::legend::LegendEntry;
 use super::mark::ProbeMark;

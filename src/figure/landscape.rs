@@ -8,7 +8,7 @@ pub use terrain::Terrain;
 
 use super::contour::contours;
 use super::heatmap::{ColorScale, Curve, CurveKind, HeatSpec, HeatSpot, HeatView, Law, Side};
-use super::scale::number;
+use super::scale::{number, whole};
 
 /// Settings of a landscape besides its terrain.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,7 +52,7 @@ fn contour_lines(terrain: &Terrain) -> Vec<Curve> {
 
 /// Three digits.
 fn rounded(value: f64) -> f64 {
-    let unit = 10f64.powi(value.abs().log10().floor() as i32 - 2);
+    let unit = 10f64.powi(whole(value.abs().log10().floor()) - 2);
     (value / unit).round() * unit
 }
 

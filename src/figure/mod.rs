@@ -10,6 +10,7 @@ pub mod cosine;
 pub mod disc;
 pub mod drawing;
 pub mod error_map;
+pub mod faults;
 pub mod fit_output;
 pub mod heatmap;
 pub mod image_slice;

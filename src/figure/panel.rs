@@ -1,7 +1,9 @@
 //! One panel of a page: what a kind of view is on paper, what it is drawn from, and what comes out.
 
+use super::albedo::KnownAlbedos;
 use super::cosine::CosineFactor;
 use super::drawing::Drawing;
+use super::faults::Faults;
 use super::fit_output::FitOutput;
 use super::palette::Palette;
 use super::scale::{Axis, RadialScale};
@@ -21,8 +23,16 @@ pub struct SharedAxis {
 
 /// A kind of view on paper. Its type is the spec of the view.
 pub trait PanelView {
+    /// Brings every value to the nearest that can be drawn, and names those that it changed.
+    fn sanitize(&mut self, faults: &mut Faults);
+
     /// Height of a panel `width` points wide that suits it: room for the picture and for words of the size `font`.
     fn height(&self, width: f32, font: f32) -> f32;
+
+    /// Curves of each subject.
+    fn curves(&self) -> usize {
+        usize::from(self.has_curves())
+    }
 
     /// Whether it has curves, which a legend below the page names.
     fn has_curves(&self) -> bool {
@@ -68,6 +78,10 @@ pub struct PanelInput<'a> {
     pub density: f32,
     /// Colours of the page.
     pub palette: &'a Palette,
+    /// Whether the numbers are wanted too; without them a large figure takes a tenth of the memory.
+    pub numbers: bool,
+    /// Albedo curves of the page that are known.
+    pub albedos: &'a KnownAlbedos,
 }
 
 impl PanelInput<'_> {

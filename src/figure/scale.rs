@@ -93,8 +93,8 @@ impl Axis {
             RadialScale::Linear | RadialScale::CubeRoot => 0.0,
             RadialScale::Log => {
                 // The decade that the limit ends: 1 for limits in (0.1, 1].
-                let top = (limit.log10() - 1e-9).ceil() as i32;
-                let wanted = smallest.map_or(top - fewest, |x| (x.log10() - 1e-9).floor() as i32);
+                let top = whole((limit.log10() - 1e-9).ceil());
+                let wanted = smallest.map_or(top - fewest, |x| whole((x.log10() - 1e-9).floor()));
                 10f64.powi(wanted.clamp(top - most, top - fewest))
             }
         };
@@ -197,7 +197,7 @@ pub fn nice_limit(max: f64) -> f64 {
     if !(max > 0.0 && max.is_finite()) {
         return 1.0;
     }
-    let exponent = max.log10().floor() as i32;
+    let exponent = whole(max.log10().floor());
     let mantissa = max / 10f64.powi(exponent);
     let digit = [1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0]
         .into_iter()
@@ -213,7 +213,7 @@ pub fn number(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return format!("{value}");
     }
-    let exponent = value.abs().log10().floor() as i32;
+    let exponent = whole(value.abs().log10().floor());
     if (-3..=4).contains(&exponent) {
         return trimmed(&format!("{value:.*}", (3 - exponent).max(0) as usize));
     }
@@ -232,10 +232,16 @@ fn trimmed(digits: &str) -> String {
 
 /// A power of ten as markup: plain from 1 to 100.
 pub fn power_of_ten(value: f64) -> String {
-    match value.log10().round() as i32 {
+    match whole(value.log10().round()) {
         exponent @ 0..=2 => number(scaled(1.0, exponent)),
         exponent => format!("10^{{{}}}", signed(exponent)),
     }
+}
+
+/// The exponent of a decade as a whole number, held to those that f64 has: a loop over decades ends whatever the ends of
+/// an axis are.
+pub(super) fn whole(exponent: f64) -> i32 {
+    exponent.clamp(-324.0, 309.0) as i32
 }
 
 fn signed(exponent: i32) -> String {

@@ -9,7 +9,7 @@ mod spec;
 
 pub use bar::{error_names, error_ticks, error_unit};
 pub use render::{LinearImage, SAMPLES_A_SIDE, render, render_part};
-pub use spec::{SphereShow, SphereSpec};
+pub use spec::{SphereShow, SphereSpec, sanitize};
 
 use super::colormap::ColorMap;
 use super::subject::Source;

@@ -5,12 +5,13 @@
 use super::cosine::CosineFactor;
 use super::heatmap::HeatField as Cells;
 use super::subject::{Channel, Look, Subject};
+use std::sync::Arc;
 
 /// Content of a field.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TableField {
-    /// Words.
-    Text(String),
+    /// Words, shared by the rows that have the same.
+    Text(Arc<str>),
     /// A number.
     Number(f64),
     /// No content.
@@ -60,22 +61,23 @@ impl DataTable {
 
     /// Tables under each other. Each row says in `panel`, counted from 1, whose it is, and is empty in the columns of
     /// others.
-    pub fn joined(tables: &[Self]) -> Self {
+    pub fn joined(tables: Vec<Self>) -> Self {
         let mut all = Self::new(&["panel"]);
-        for table in tables {
+        for table in &tables {
             for column in &table.columns {
                 if !all.columns.contains(column) {
                     all.columns.push(column);
                 }
             }
         }
-        for (panel, table) in tables.iter().enumerate() {
-            for row in &table.rows {
+        // Taken apart, so that no number is there twice.
+        for (panel, table) in tables.into_iter().enumerate() {
+            for row in table.rows {
                 let mut fields = vec![TableField::Empty; all.columns.len()];
                 fields[0] = TableField::Number((panel + 1) as f64);
                 for (column, field) in table.columns.iter().zip(row) {
                     if let Some(at) = all.columns.iter().position(|other| other == column) {
-                        fields[at] = field.clone();
+                        fields[at] = field;
                     }
                 }
                 all.rows.push(fields);
@@ -164,7 +166,7 @@ mod tests {
             columns: columns.to_vec(),
             rows: vec![fields],
         };
-        let joined = DataTable::joined(&[
+        let joined = DataTable::joined(vec![
             table(&["curve", "value"], vec!["a,\"b\"".into(), 0.1.into()]),
             table(&["s", "value"], vec![300.0.into(), f64::NAN.into()]),
         ]);

@@ -3,7 +3,7 @@
 use super::drawing::{Anchor, Drawing, Item, Label, Point};
 use super::palette::{Ink, Role};
 use super::placing::Placing;
-use super::scale::number;
+use super::scale::{number, whole};
 use super::text::RichText;
 
 /// A word of a fit.
@@ -120,7 +120,7 @@ impl TraceView {
 
 /// Round values of the axis of E around this decade, ascending.
 fn round_values(around: f64) -> impl Iterator<Item = f64> {
-    let decade = around.log10().floor() as i32;
+    let decade = whole(around.log10().floor());
     (decade - 1..=decade + 1).flat_map(|exponent| ROUND.map(|digit| digit * 10f64.powi(exponent)))
 }
 
@@ -146,7 +146,7 @@ fn axes(canvas: &mut TraceCanvas, view: &TraceView) {
     );
     // The ends first, then the roundest where there is room.
     let mut marks = vec![view.low, view.high];
-    let decades = (view.low.log10().floor() as i32)..=(view.high.log10().ceil() as i32);
+    let decades = whole(view.low.log10().floor())..=whole(view.high.log10().ceil());
     for digits in [&[1.0][..], &[5.0, 2.0], &[3.0, 7.0, 1.5]] {
         for exponent in decades.clone() {
             marks.extend(digits.iter().map(|digit| digit * 10f64.powi(exponent)));

@@ -14,7 +14,41 @@ pub fn place(path: &Path) -> PathBuf {
     if let Ok(place) = path.canonicalize() {
         return place;
     }
-    named_place(&path)
+    named_place(&followed(&path))
+}
+
+/// Path at which a file is made that is written under this one: where a link to nothing points, else the path itself.
+pub fn followed(path: &Path) -> PathBuf {
+    // As many as Linux follows; a circle ends as a link.
+    const MOST_LINKS: usize = 40;
+    let mut path = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        let Ok(to) = path.read_link() else {
+            break;
+        };
+        path = path.parent().unwrap_or(Path::new("")).join(to);
+    }
+    path
+}
+
+/// Whether two paths are of one file: the same place, or two names of what is there.
+pub fn is_same_file(a: &Path, b: &Path) -> bool {
+    place(a) == place(b) || is_same_inode(a, b)
+}
+
+#[cfg(unix)]
+fn is_same_inode(a: &Path, b: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt as _;
+    let inode = |path: &Path| {
+        let metadata = path.metadata().ok()?;
+        Some((metadata.dev(), metadata.ino()))
+    };
+    inode(a).is_some_and(|found| inode(b) == Some(found))
+}
+
+#[cfg(not(unix))]
+fn is_same_inode(_: &Path, _: &Path) -> bool {
+    false
 }
 
 /// Canonical path of the folder with the name of the file as it is given: equal for two paths that lead to the same name.

@@ -1,6 +1,7 @@
 //! Atomic writing of whole files.
 
 use super::error::FileError;
+use super::paths::followed;
 use super::temporary::Temporary;
 use std::fs;
 use std::io::{self, BufWriter, Write};
@@ -95,8 +96,19 @@ fn prepare(
     path: &Path,
     force: bool,
 ) -> Result<(PathBuf, Option<fs::Metadata>, Temporary), FileError> {
-    // A link stays one: its target is replaced.
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    // A link stays one: its target is replaced, or made where there is none.
+    let target = fs::canonicalize(path).unwrap_or_else(|_| followed(path));
+    match fs::symlink_metadata(&target) {
+        Ok(found) if found.is_symlink() => {
+            let what = "the link leads to itself; remove it or choose another name";
+            return Err(FileError::new(path, what));
+        }
+        Err(error) if error.kind() == io::ErrorKind::InvalidFilename => {
+            let what = "the name of the file is too long; choose a shorter one";
+            return Err(FileError::new(path, what));
+        }
+        _ => {}
+    }
     let before = fs::metadata(&target).ok();
     if let Some(before) = &before {
         if before.is_dir() {
@@ -168,6 +180,37 @@ mod tests {
         assert!(check_writable(&path, false).is_err() && check_writable(&path, true).is_ok());
         assert_eq!(fs::read(&path).expect("is there"), b"third");
         assert_eq!(names(folder.path()), ["out.csv"], "nothing is left behind");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_to_nothing_is_written_through_and_a_circle_is_named_at_once() {
+        use std::os::unix::fs::symlink;
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = |name: &str| folder.path().join(name);
+        symlink("next", path("link")).expect("a link");
+        symlink("target.csv", path("next")).expect("a link");
+        for force in [false, true] {
+            check_writable(&path("link"), force).expect("can be written");
+            write_atomically(&path("link"), force, |w| w.write_all(b"new")).expect("is written");
+            assert_eq!(fs::read(path("target.csv")).expect("is there"), b"new");
+            assert!(path("link").is_symlink() && path("next").is_symlink());
+            fs::remove_file(path("target.csv")).expect("is removed");
+        }
+        symlink("nowhere/target.csv", path("lost")).expect("a link");
+        let said = check_writable(&path("lost"), true).expect_err("no folder");
+        assert!(said.to_string().contains("no directory"), "{said}");
+        symlink("circle", path("circle")).expect("a link");
+        let said = check_writable(&path("circle"), true).expect_err("a circle");
+        assert!(said.to_string().contains("leads to itself"), "{said}");
+    }
+
+    #[test]
+    fn a_name_that_is_too_long_is_found_before_anything_is_written() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("n".repeat(300));
+        let said = check_writable(&path, false).expect_err("is too long");
+        assert!(said.to_string().contains("too long"), "{said}");
     }
 
     #[test]

@@ -33,6 +33,16 @@ pub fn wrap(angle: f64, period: f64) -> f64 {
     if wrapped < period { wrapped } else { 0.0 }
 }
 
+/// The direction of a vector, itself to the last bit where it has length 1; `None` where it has none, below 1e-6 or from 1e6
+/// on.
+pub fn unit(v: DVec3) -> Option<DVec3> {
+    match v.length() {
+        length if (length - 1.0).abs() < 1e-12 => Some(v),
+        length if (1e-6..1e6).contains(&length) => Some(v / length),
+        _ => None,
+    }
+}
+
 /// Length below which a sum of unit vectors has no direction: it is the rounding of sines and cosines.
 pub(super) const ROUNDING: f64 = 1e-12;
 

@@ -3,7 +3,7 @@
 /// Largest exposure in stops, of either sign: on the command line, in the window and in sessions.
 ///
 /// The factor 2³⁰ leaves f32 room for f_r and the strength of lights. Sessions kept 10 before and keep these still; figure
-/// files are not held to it and are read as ever.
+/// files are not held to it and are read as ever, up to where 2 to this power is no number.
 pub const MAX_EXPOSURE_STOPS: f64 = 30.0;
 
 /// Largest θi that can be set in the window and is kept in a session, in degrees: half a degree above the horizon.

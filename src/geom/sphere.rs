@@ -13,6 +13,7 @@ pub const MAX_LIGHTS: usize = 4;
 
 /// A directional light.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Light {
     /// Unit vector towards the light in view space. z < 0 is behind the sphere.
     pub direction: DVec3,
@@ -23,9 +24,9 @@ pub struct Light {
 
 /// Lights and exposure of the sphere.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct SphereView {
-    /// Lights; those after the first [`MAX_LIGHTS`] do not count.
+    /// Lights, at most [`MAX_LIGHTS`].
     pub lights: Vec<Light>,
     /// Exposure in stops: radiance is multiplied by 2^stops.
     pub exposure_stops: f64,

@@ -29,8 +29,14 @@ pub fn succeeded(output: &Output) -> String {
 /// Exit code 1, nothing on standard output, one line on standard error with the path last.
 #[track_caller]
 pub fn failed(output: &Output, path: &Path, said: &str) {
+    failed_with(output, 1, path, said);
+}
+
+/// What [`failed`] says, with another exit code.
+#[track_caller]
+pub fn failed_with(output: &Output, code: i32, path: &Path, said: &str) {
     let line = stderr(output);
-    assert_eq!(output.status.code(), Some(1), "{line}");
+    assert_eq!(output.status.code(), Some(code), "{line}");
     assert_eq!(stdout(output), "");
     assert_eq!(line.lines().count(), 1, "{line}");
     assert!(line.starts_with("grazing: "), "{line}");

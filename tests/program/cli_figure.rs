@@ -410,35 +410,43 @@ fn wrong_options_and_files_have_one_line_each() {
         "--preset lobes --theta-i 95",
         "expected 0 to less than 90 degrees",
     );
+    // Before anything is fitted: there is no such measured file.
+    let unread = folder.path("none.binary");
+    for (options, said) in [
+        ("--width 5", "expected a number from 20 to 2000"),
+        ("--font 0", "expected a number from 3 to 72"),
+        ("--line -1", "expected a number from 0.05 to 20"),
+        ("--dpi 1e9", "expected a number from 30 to 2400"),
+        ("--dpi NaN", "expected a number from 30 to 2400"),
+    ] {
+        usage(&unread, &out, &format!("--preset lobes {options}"), said);
+    }
+    let png = folder.path("f.png");
+    let said = "a PNG of 94488 pixels in a row; expected at most 20000";
+    usage(
+        &unread,
+        &png,
+        "--preset lobes --width 1000 --dpi 2400",
+        said,
+    );
     usage(&fits, &fits, "--preset lobes", "expected one of .svg");
     usage(&fits, &out, "--theta-i 20", "--preset");
-    let fails = |input: &Path, options: &str, said: &str| {
+    let fails = |code: i32, input: &Path, options: &str, said: &str| {
         let result = figure(input, &out, options);
         let line = stderr(&result);
-        assert_eq!(result.status.code(), Some(1), "{line}");
+        assert_eq!(result.status.code(), Some(code), "{line}");
         assert!(line.contains(said) && line.lines().count() == 1, "{line}");
         assert!(!out.exists());
     };
-    fails(&data, "", "not valid JSON");
-    fails(&fits, "", "this is no figure");
-    fails(
-        &fits,
-        "--preset lobes --width 5",
-        "width_mm is 5; expected 20 to 2000",
-    );
-    fails(&folder.path("none.json"), "", "no such file");
+    fails(1, &data, "", "not valid JSON");
+    fails(2, &fits, "", "this is no figure");
+    fails(1, &folder.path("none.json"), "", "no such file");
     let spec = |text: &str| folder.file("bad.figure.json", text);
-    fails(&spec(r#"{"subjects": [], "rows": []}"#), "", "no panels");
-    fails(
-        &spec(r#"{"subjects": [], "rows": [{"panels": [{"subjects": [3], "view": "scatter"}]}]}"#),
-        "",
-        "a panel names subject 3; the figure has 0",
-    );
     let lobes = r#"{"panels": [{"subjects": [], "view": {"lobes": {"theta": [3]}}}]}"#;
     let text = format!(r#"{{"subjects": [], "rows": [{lobes}]}}"#);
-    fails(&spec(&text), "", "unknown field `theta`");
-    fails(&spec(&text), "", "; did you mean `theta_i`?");
+    fails(2, &spec(&text), "", "unknown field `theta`");
+    fails(2, &spec(&text), "", "; did you mean `theta_i`?");
     let survey = r#"{"panels": [{"subjects": [], "view": {"landscape": {}}}]}"#;
     let text = format!(r#"{{"subjects": [], "rows": [{survey}]}}"#);
-    fails(&spec(&text), "", "needs a measured material");
+    fails(1, &spec(&text), "", "needs a measured material");
 }

@@ -540,6 +540,6 @@ fn every_bad_option_has_its_line() {
     }
     let over = grazing(&[&"fit", &file, &"--force", &"-o", &file]);
     assert_eq!(over.status.code(), Some(2));
-    assert!(stderr(&over).contains("would replace a measured file"));
+    assert!(stderr(&over).contains("would replace an input"));
     assert_eq!(grazing(&[&"fit"]).status.code(), Some(2));
 }

@@ -44,6 +44,7 @@ fn on_paper(drawing: &Drawing, palette: Palette) -> Picture {
         ground: Some([255; 3]),
         fallback: Vec::new(),
         title: String::new(),
+        recipe: None,
     };
     let picture = pixels(&paper, 72.0).expect("pixels");
     let pixels = picture.rgba.chunks_exact(4);

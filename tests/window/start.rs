@@ -106,6 +106,23 @@ fn a_figure_opens_the_data_that_it_shows() {
         "{:?}",
         state.notices
     );
+    // A picture that carries the figure as its recipe is opened like it.
+    let recipe = text(&tin).replace('"', "&quot;");
+    let picture = folder.file(
+        "tin.svg",
+        format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg"><metadata><recipe xmlns="urn:grazing:figure">{recipe}</recipe></metadata></svg>"#
+        ),
+    );
+    let mut alone = self::window(vec![picture], vec![]);
+    settle(&mut alone, |state| {
+        state.scene.opened.len() == 1 && state.jobs.is_empty()
+    });
+    let mut names = alone.state().state().materials.values();
+    assert_eq!(
+        names.next().map(|material| material.name.as_str()),
+        Some("tin")
+    );
     // A file that is gone is named with the figure.
     fs::remove_file(folder.path("tin.binary")).expect("removed");
     let figure = folder.path("two.figure.json");

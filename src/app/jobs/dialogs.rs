@@ -92,7 +92,10 @@ impl Picker {
             open: Arc::new(|| {
                 rfd::FileDialog::new()
                     .set_title("Open materials")
-                    .add_filter("MERL, fit files and sessions", &["binary", "json"])
+                    .add_filter(
+                        "MERL, fit files, sessions and figures",
+                        &["binary", "json", "svg", "pdf", "png"],
+                    )
                     .add_filter("All files", &["*"])
                     .pick_files()
                     .unwrap_or_default()

@@ -10,7 +10,7 @@ use crate::app::session::places::find;
 use crate::app::state::job::CancelFlag;
 use crate::app::state::material::Origin;
 use crate::app::state::notice::Severity;
-use crate::export::{FigureSpec, SubjectSource};
+use crate::export::{FigureSpec, SubjectSource, recipe_in};
 use crate::files;
 use crate::files::fits::MaterialFits;
 use crate::files::{FileError, Json, fits};
@@ -132,6 +132,9 @@ fn open_file(
 ) -> Result<Content, FileError> {
     if !measured && path.is_dir() {
         return Ok(Content::Folder);
+    }
+    if !measured && let Some(recipe) = recipe_in(path)? {
+        return data_of_figure(path, &recipe).map(Content::Figure);
     }
     let json = if measured {
         None

@@ -10,8 +10,8 @@ use crate::app::state::cache::{Query, Update, WhenNewer};
 use crate::app::state::notice::Severity;
 use crate::app::state::views::ViewId;
 use crate::export::{
-    ExportError, FigureFormat, FigureSpec, Prepared, SubjectSource, prepare, spec_beside,
-    write_figure,
+    ExportError, FigureFormat, FigureSpec, Prepared, SubjectSource, check_writable, prepare,
+    spec_beside, write_figure,
 };
 use crate::figure::page::Page;
 use crate::figure::write::POINTS_PER_MM;
@@ -82,7 +82,7 @@ fn draw(
     go_on: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Result<Page, ExportError> {
     let prepared = prepared(drawable, go_on)?;
-    drawable.spec.draw(&prepared)
+    drawable.spec.draw(&prepared, true)
 }
 
 fn prepared(
@@ -124,6 +124,8 @@ pub fn export(
         if let Some(what) = conflict(&drawable.spec, &path, &beside) {
             return Err(FileError::new(&beside, what).to_string());
         }
+        // Said now and not after the work.
+        check_writable(&path, true).map_err(|error| error.to_string())?;
         let go_on = &mut || ControlFlow::Continue(());
         // The dialog has asked about an existing file.
         let write = |prepared: Prepared| {

@@ -2,11 +2,11 @@
 //! position inside its list, unit vectors of length 1. What is possible stays to the last bit.
 
 use crate::app::session::file::{SavedFitting, SavedMaterial, SavedProbe, SavedWhat, SessionFile};
-use crate::app::state::sanitize::unit;
 use crate::brdf::params::Param;
 use crate::brdf::{Fresnel, Model, params};
 use crate::fit::options::default_bounds;
 use crate::fit::{STAGES, Stage};
+use crate::geom::directions::unit;
 use crate::measured::samples::SAMPLES;
 use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -2,6 +2,7 @@
 
 use crate::app::state::figure::FigurePrefs;
 use crate::app::state::side_panels::SidePanels;
+use crate::figure::faults::Faults;
 use crate::files::path_text;
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
@@ -117,7 +118,9 @@ const RECENT: usize = 10;
 impl Prefs {
     /// Whether every value is one that could have been set.
     pub fn is_possible(&self) -> bool {
-        self.figure.style.check().is_ok()
+        let mut faults = Faults::default();
+        self.figure.style.clone().sanitize(&mut faults);
+        faults.result().is_ok()
             && FigurePrefs::COLUMNS.contains(&self.figure.columns)
             && MemoryLimit::RANGE.contains(&self.memory.0)
     }

@@ -61,6 +61,14 @@ fn with_known_keys(value: &Value, known: &Value) -> Value {
             });
             Value::Object(kept.collect())
         }
+        // The members of a list are all of a kind.
+        (Value::Array(value), Value::Array(known)) => match known.first() {
+            Some(known) => value
+                .iter()
+                .map(|one| with_known_keys(one, known))
+                .collect(),
+            None => Value::Array(value.clone()),
+        },
         _ => value.clone(),
     }
 }

@@ -4,7 +4,7 @@ use crate::brdf::Brdf;
 use crate::cli::CliError;
 use crate::cli::fit::progress::Bar;
 use crate::export::preset::PresetMaterial;
-use crate::export::{OpenedTables, SubjectSource, open_from_files};
+use crate::export::{OpenedTable, OpenedTables, SubjectSource, open_from_files};
 use crate::files::fits;
 use crate::files::names::told_apart;
 use crate::files::{self, FileError};
@@ -132,7 +132,11 @@ fn material(
             let (table, file) = files::open_measured(path, &mut |_| ControlFlow::Continue(()))?;
             let table = Arc::new(table);
             let place = file.places(Path::new(""));
-            opened.insert(place[0].clone(), Arc::clone(&table));
+            let kept = OpenedTable {
+                table: Arc::clone(&table),
+                file: Some(file.clone()),
+            };
+            opened.insert(place[0].clone(), kept);
             (table, SubjectSource::measured(file))
         }
         Data::Sample(key) => {

@@ -1,11 +1,14 @@
 //! The disc on paper.
 
 use super::{DiscField, DiscPlot, DiscSpec};
+use crate::figure::faults::Faults;
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
 use crate::figure::scale::Axis;
 use crate::figure::subject::Source;
 use crate::figure::table::DataTable;
 use crate::geom::direction;
+use crate::geom::directions::wrap;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Most cells on a side of the picture.
 const MOST: usize = 1024;
@@ -13,6 +16,13 @@ const MOST: usize = 1024;
 const TABLE_DEG: [usize; 2] = [1, 3];
 
 impl PanelView for DiscSpec {
+    fn sanitize(&mut self, faults: &mut Faults) {
+        faults.angle("theta_i", &mut self.theta_i, [0.0, FRAC_PI_2]);
+        // Every azimuth is one of a turn.
+        self.phi_i = wrap(self.phi_i, TAU);
+        faults.limits("limits", &mut self.limits);
+    }
+
     fn height(&self, width: f32, font: f32) -> f32 {
         0.8 * width + 3.0 * font
     }

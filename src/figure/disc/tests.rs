@@ -234,6 +234,8 @@ fn the_table_has_every_degree_and_says_where_there_is_no_value() {
         size: [300.0, 260.0],
         density: 1.0,
         palette: &Palette::LIGHT,
+        numbers: true,
+        albedos: &Default::default(),
     });
     let text = drawn.table.text(',');
     let rows: Vec<&str> = text.lines().collect();

@@ -1,6 +1,7 @@
 //! The error map on paper.
 
 use super::{ErrorSpec, Plane};
+use crate::figure::faults::Faults;
 use crate::figure::fit_output::FitOutput;
 use crate::figure::heatmap::{HeatMap, HeatView};
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView};
@@ -8,6 +9,7 @@ use crate::figure::scale::RadialScale;
 use crate::figure::table::DataTable;
 use crate::geom::degrees;
 use serde::{Deserialize, Serialize};
+use std::f64::consts::FRAC_PI_2;
 
 /// An error map on paper.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -33,12 +35,17 @@ impl Default for ErrorMapSpec {
             scale: RadialScale::CubeRoot,
             view: HeatView::default(),
             weight: "cosine".into(),
-            limit: std::f64::consts::FRAC_PI_2,
+            limit: FRAC_PI_2,
         }
     }
 }
 
 impl PanelView for ErrorMapSpec {
+    fn sanitize(&mut self, faults: &mut Faults) {
+        faults.inside("view", |faults| self.view.sanitize(faults));
+        faults.angle("limit", &mut self.limit, [0.0, FRAC_PI_2]);
+    }
+
     fn height(&self, width: f32, font: f32) -> f32 {
         0.65 * width + 4.0 * font
     }

@@ -1,7 +1,7 @@
 //! Colour scale: from values to places on a colour map, and the ticks of the colour bar.
 
 use crate::figure::colormap::ColorMap;
-use crate::figure::scale::{Axis, RadialScale, Tick, number};
+use crate::figure::scale::{Axis, RadialScale, Tick, number, whole};
 use crate::figure::text::RichText;
 
 /// Law from values to places on a colour map.
@@ -58,7 +58,7 @@ impl ColorScale {
 
     fn ratio_ticks(&self, factor: f64, count: usize) -> Vec<Tick> {
         let base: f64 = if factor > 40.0 { 10.0 } else { 2.0 };
-        let most = (factor.ln() / base.ln() + 1e-9).floor() as i32;
+        let most = whole((factor.ln() / base.ln() + 1e-9).floor());
         let step = ((2 * most + 1) as usize).div_ceil(count.max(3)).max(1);
         // From the middle outwards, so that 1 is always there.
         (0..=most)
@@ -72,7 +72,7 @@ impl ColorScale {
 
     fn between_ticks(&self, low: f64, high: f64, count: usize) -> Vec<Tick> {
         let gap = 0.7 / count.max(1) as f64;
-        let (first, last) = (low.log10().floor() as i32, high.log10().ceil() as i32);
+        let (first, last) = (whole(low.log10().floor()), whole(high.log10().ceil()));
         let mut kept: Vec<Tick> = Vec::new();
         let digits: [&[f64]; 4] = [&[1.0], &[2.0, 5.0], &[3.0, 7.0], &[1.5, 2.5, 4.0, 6.0, 8.0]];
         for class in digits {

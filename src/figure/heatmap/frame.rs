@@ -2,11 +2,12 @@
 
 use super::Side;
 use crate::figure::drawing::Point;
+use crate::figure::faults::{Faults, list};
 use serde::{Deserialize, Serialize};
 
 /// The part of both axes that is in sight, as shares from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, rename = "View")]
+#[serde(default, deny_unknown_fields, rename = "View")]
 pub struct HeatView {
     /// First and last share to the right.
     pub x: (f64, f64),
@@ -41,15 +42,16 @@ impl HeatView {
         }
     }
 
-    /// Itself, or all where it is no part that there can be: from a file, its numbers may be any.
-    pub fn sanitized(self) -> Self {
+    /// Brought to all where it is no part that there can be: from a file, its numbers may be any.
+    pub fn sanitize(&mut self, faults: &mut Faults) {
         let possible = |(low, high): (f64, f64)| {
             low >= 0.0 && high <= 1.0 + 1e-9 && high - low >= CLOSEST * (1.0 - 1e-9)
         };
-        if possible(self.x) && possible(self.y) {
-            self
-        } else {
-            Self::default()
+        let sides = [("x", self.x), ("y", self.y)];
+        for (key, (low, high)) in sides.into_iter().filter(|(_, side)| !possible(*side)) {
+            let expected = format!("two shares from 0 to 1, at least {CLOSEST} apart");
+            faults.add(key, list(&[low, high]), expected);
+            *self = Self::default();
         }
     }
 

@@ -1,6 +1,6 @@
 //! An axis of a heat map: values along its length, and ticks at round ones.
 
-use crate::figure::scale::{self, Tick, number};
+use crate::figure::scale::{self, Tick, number, whole};
 use crate::figure::text::RichText;
 
 /// Law by which values are spread along an axis.
@@ -125,7 +125,7 @@ impl Side {
     fn classes(&self, low: f64, high: f64) -> Vec<Vec<f64>> {
         match self.law {
             Law::Log => {
-                let (first, last) = (low.log10().floor() as i32, high.log10().ceil() as i32);
+                let (first, last) = (whole(low.log10().floor()), whole(high.log10().ceil()));
                 let decades = |every: i32| -> Vec<f64> {
                     let whole = (first..=last).filter(|k| k.rem_euclid(every) == 0);
                     whole.map(|k| 10f64.powi(k)).collect()

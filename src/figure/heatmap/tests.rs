@@ -296,3 +296,33 @@ fn everything_stays_inside_and_finite_at_any_size() {
         }
     }
 }
+
+#[test]
+fn ticks_end_whatever_part_of_an_axis_is_in_sight() {
+    for law in [Law::Linear, Law::SquareRoot, Law::Log] {
+        for range in [(0.1, 1e5), (0.0, 90.0), (0.0, 0.0), (1e-300, f64::INFINITY)] {
+            let side = Side {
+                title: String::new(),
+                law,
+                range,
+                degrees: false,
+            };
+            for sight in [
+                (0.0, 1.0),
+                (0.0, 45.0),
+                (-1e9, 1e9),
+                (1.0, 0.0),
+                (0.0, f64::NAN),
+            ] {
+                let count = side.ticks(sight, 0.1).len();
+                assert!(count < 1000, "{law:?} {range:?} {sight:?}: {count}");
+            }
+        }
+    }
+    for colors in [
+        ColorScale::Between(0.0, f64::INFINITY),
+        ColorScale::Ratio(f64::INFINITY),
+    ] {
+        assert!(colors.ticks(6).len() < 10_000, "{colors:?}");
+    }
+}

@@ -1,13 +1,21 @@
 //! The image slice on paper.
 
 use super::ImageSpec;
+use crate::figure::faults::Faults;
 use crate::figure::heatmap::{Cell, HeatField as Cells, HeatMap};
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
 use crate::figure::scale::Axis;
 use crate::figure::table::DataTable;
 use crate::geom::degrees::rounded;
+use std::f64::consts::PI;
 
 impl PanelView for ImageSpec {
+    fn sanitize(&mut self, faults: &mut Faults) {
+        faults.angle("phi_d", &mut self.phi_d, [0.0, PI]);
+        faults.limits("limits", &mut self.limits);
+        faults.inside("view", |faults| self.view.sanitize(faults));
+    }
+
     fn height(&self, width: f32, font: f32) -> f32 {
         0.65 * width + 4.0 * font
     }

@@ -1,6 +1,8 @@
 //! The error landscape on paper.
 
 use super::{LandscapeSpec, Terrain};
+use crate::brdf::Fresnel;
+use crate::figure::faults::Faults;
 use crate::figure::fit_output::FitOutput;
 use crate::figure::heatmap::{HeatMap, HeatView};
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView};
@@ -8,13 +10,14 @@ use crate::figure::scale::number;
 use crate::figure::table::DataTable;
 use crate::geom::degrees;
 use serde::{Deserialize, Serialize};
+use std::f64::consts::FRAC_PI_2;
 
 /// An error landscape on paper.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct LandscapePanel {
-    /// The Fresnel factor: its key.
-    pub fresnel: String,
+    /// The Fresnel factor.
+    pub fresnel: Fresnel,
     /// η everywhere; the best one at each point without.
     pub eta: Option<f64>,
     /// Weight of the cells in E, by its key.
@@ -33,10 +36,10 @@ pub struct LandscapePanel {
 impl Default for LandscapePanel {
     fn default() -> Self {
         Self {
-            fresnel: "exact".into(),
+            fresnel: Fresnel::Exact,
             eta: Some(1.5),
             weight: "cosine".into(),
-            limit: std::f64::consts::FRAC_PI_2,
+            limit: FRAC_PI_2,
             path: Vec::new(),
             here: None,
             view: HeatView::default(),
@@ -44,7 +47,19 @@ impl Default for LandscapePanel {
     }
 }
 
+/// Values of η: those of a model.
+const ETAS: [f64; 2] = [1.0, 1e3];
+
 impl PanelView for LandscapePanel {
+    fn sanitize(&mut self, faults: &mut Faults) {
+        // Without a Fresnel factor it means nothing.
+        if let (true, Some(eta)) = (self.fresnel != Fresnel::None, &mut self.eta) {
+            faults.number("eta", eta, ETAS);
+        }
+        faults.angle("limit", &mut self.limit, [0.0, FRAC_PI_2]);
+        faults.inside("view", |faults| self.view.sanitize(faults));
+    }
+
     fn height(&self, width: f32, font: f32) -> f32 {
         0.65 * width + 4.0 * font
     }
@@ -53,8 +68,8 @@ impl PanelView for LandscapePanel {
         let Some(FitOutput::Landscape { terrain, best }) = input.made else {
             return PanelDrawing::default();
         };
-        let eta = match (self.fresnel.as_str(), self.eta) {
-            ("none", _) => "no Fresnel".to_string(),
+        let eta = match (self.fresnel, self.eta) {
+            (Fresnel::None, _) => "no Fresnel".to_string(),
             (_, Some(eta)) => format!("η = {}", number(eta)),
             (_, None) => "η solved".to_string(),
         };

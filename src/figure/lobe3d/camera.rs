@@ -1,12 +1,13 @@
 //! Camera of the lobes in space: turned as on a ball under the hand, without perspective, so that lengths compare.
 
 use crate::figure::drawing::Point;
+use crate::figure::faults::{Faults, list};
 use glam::{DMat3, DQuat, DVec3};
 use serde::{Deserialize, Serialize};
 
 /// A view of the unit dome. The same on every canvas.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 pub struct Camera {
     /// Rotation from the surface's frame to the view: x to the right, y up, z to the eye.
     pub rotation: DQuat,
@@ -35,19 +36,24 @@ impl Default for Camera {
 }
 
 impl Camera {
-    /// The nearest camera that there can be: from a file, its numbers may be any.
-    pub fn clamped(self) -> Self {
-        let usual = Self::default();
-        let rotation = match self.rotation.length() {
-            length if (length - 1.0).abs() < 1e-12 => self.rotation,
-            length if (1e-6..1e6).contains(&length) => self.rotation.normalize(),
-            _ => usual.rotation,
-        };
-        Self {
-            rotation,
-            zoom: self.zoom.clamp(ZOOM[0], ZOOM[1]),
-            center: self.center.map(|middle| middle.clamp(-REACH, REACH)),
+    /// Brought to the nearest camera that there can be: from a file, its numbers may be any. The length of a rotation means
+    /// nothing.
+    pub fn sanitize(&mut self, faults: &mut Faults) {
+        match self.rotation.length() {
+            length if (length - 1.0).abs() < 1e-12 => {}
+            length if (1e-6..1e6).contains(&length) => self.rotation = self.rotation.normalize(),
+            _ => {
+                let expected = "a quaternion of a length from 1e-6 to 1e6";
+                faults.add("rotation", list(&self.rotation.to_array()), expected);
+                self.rotation = Self::default().rotation;
+            }
         }
+        faults.number("zoom", &mut self.zoom, ZOOM);
+        faults.inside("center", |faults| {
+            for (key, middle) in ["0", "1"].into_iter().zip(&mut self.center) {
+                faults.number(key, middle, [-REACH, REACH]);
+            }
+        });
     }
 }
 

@@ -3,11 +3,13 @@
 use super::{Camera, Detail, Lobes, Overlay, Shape, picture};
 use crate::figure::cosine::CosineFactor;
 use crate::figure::drawing::Drawing;
+use crate::figure::faults::Faults;
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView};
 use crate::figure::scale::RadialScale;
 use crate::figure::subject::Channel;
 use crate::geom::degrees;
 use serde::{Deserialize, Serialize};
+use std::f64::consts::FRAC_PI_2;
 
 /// Lobes in space.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -40,6 +42,11 @@ impl Default for Lobe3dSpec {
 }
 
 impl PanelView for Lobe3dSpec {
+    fn sanitize(&mut self, faults: &mut Faults) {
+        faults.angle("theta_i", &mut self.theta_i, [0.0, FRAC_PI_2]);
+        faults.inside("camera", |faults| self.camera.sanitize(faults));
+    }
+
     fn height(&self, width: f32, font: f32) -> f32 {
         0.7 * width + 2.0 * font
     }

@@ -8,10 +8,15 @@ use crate::figure::drawing::{Item, Picture};
 use crate::figure::palette::{Palette, Role};
 use glam::{DVec2, DVec3};
 use image::RgbaImage;
-use image::imageops::{FilterType, resize};
+use image::imageops::{FilterType, crop_imm, resize};
+use std::ops::Range;
 
 /// Samples a pixel along each side.
 const SAMPLES: f64 = 3.0;
+/// Most samples in memory at once, about 30 bytes each.
+const MOST_SAMPLES: u32 = 4 << 20;
+/// Rows of pixels beyond a band that are drawn with it.
+const MARGIN: u32 = 2;
 /// Direction of the lamp in view space: from the upper left, beside the eye; as in the shader.
 const LIGHT: DVec3 = DVec3::new(-0.40, 0.55, 0.73);
 /// Distance of a line in front of the solid that it lies on, in units of the dome's radius.
@@ -25,9 +30,64 @@ pub fn picture(
     size: [f32; 2],
     density: f32,
 ) -> Item {
-    let pixels = size.map(|points| ((points * density).ceil() as u32).clamp(1, 4096));
+    let most = MOST_SAMPLES;
+    Item::Image(picture_of(
+        lobes,
+        projection,
+        palette,
+        (size, density),
+        most,
+    ))
+}
+
+/// The picture, with so many samples in memory at once.
+pub(super) fn picture_of(
+    lobes: &Lobes,
+    projection: &SpaceProjection,
+    palette: &Palette,
+    (size, density): ([f32; 2], f32),
+    most: u32,
+) -> Picture {
+    let [width, height] = size.map(|points| ((points * density).ceil() as u32).clamp(1, 4096));
+    let rows = (most / (width * SAMPLES as u32 * SAMPLES as u32)).max(1);
+    let mut rgba = Vec::new();
+    for first in (0..height).step_by(rows as usize) {
+        let last = (first + rows).min(height);
+        let band = band(
+            lobes,
+            projection,
+            palette,
+            density,
+            [width, height],
+            first..last,
+        );
+        rgba.extend(straight(band));
+    }
+    Picture {
+        min: [0.0; 2],
+        max: size,
+        width: width as usize,
+        height: height as usize,
+        rgba: rgba.into(),
+        smooth: true,
+    }
+}
+
+/// Some rows of a picture, premultiplied.
+fn band(
+    lobes: &Lobes,
+    projection: &SpaceProjection,
+    palette: &Palette,
+    density: f32,
+    [width, height]: [u32; 2],
+    rows: Range<u32>,
+) -> RgbaImage {
     let scale = SAMPLES * f64::from(density);
-    let mut canvas = RasterCanvas::new(pixels.map(|pixels| pixels as usize * SAMPLES as usize));
+    // Pixels are mixed with their neighbours.
+    let from = rows.start.saturating_sub(MARGIN);
+    let to = (rows.end + MARGIN).min(height);
+    let samples = [width, to - from].map(|pixels| pixels as usize * SAMPLES as usize);
+    let mut canvas = RasterCanvas::new(samples, from as usize * SAMPLES as usize);
     let place = |p: DVec3| {
         let [x, y] = projection.point(p).map(f64::from);
         DVec3::new(scale * x, scale * y, projection.view(p).z)
@@ -63,23 +123,19 @@ pub fn picture(
         let width = f64::from(width) * scale;
         canvas.line(&points, width, palette.resolve(ink), f64::from(behind));
     }
-    let [width, height] = canvas.size.map(|n| n as u32);
+    let [across, down] = canvas.size.map(|n| n as u32);
     let bytes = canvas.bytes();
-    let large = RgbaImage::from_raw(width, height, bytes).unwrap_or_default();
-    let small = resize(&large, pixels[0], pixels[1], FilterType::Triangle);
-    Item::Image(Picture {
-        min: [0.0; 2],
-        max: size,
-        width: pixels[0] as usize,
-        height: pixels[1] as usize,
-        rgba: straight(small).into(),
-        smooth: true,
-    })
+    drop(canvas);
+    let large = RgbaImage::from_raw(across, down, bytes).unwrap_or_default();
+    let small = resize(&large, width, to - from, FilterType::Triangle);
+    crop_imm(&small, 0, rows.start - from, width, rows.end - rows.start).to_image()
 }
 
 /// Pixels with depth, the larger the nearer; premultiplied.
 struct RasterCanvas {
     size: [usize; 2],
+    /// The row of the picture that is its first.
+    first: usize,
     color: Vec<[f32; 4]>,
     depth: Vec<f64>,
     /// The last line that has coloured a pixel.
@@ -88,9 +144,10 @@ struct RasterCanvas {
 }
 
 impl RasterCanvas {
-    fn new(size: [usize; 2]) -> Self {
+    fn new(size: [usize; 2], first: usize) -> Self {
         Self {
             size,
+            first,
             color: vec![[0.0; 4]; size[0] * size[1]],
             depth: vec![f64::NEG_INFINITY; size[0] * size[1]],
             touched: vec![0; size[0] * size[1]],
@@ -160,20 +217,20 @@ impl RasterCanvas {
     ) {
         let [a, b, c] = corners;
         let area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
-        let ends = |values: [f64; 3], most: usize| {
+        let ends = |values: [f64; 3], first: usize, count: usize| {
             let low = values.into_iter().fold(f64::INFINITY, f64::min);
             let high = values.into_iter().fold(f64::NEG_INFINITY, f64::max);
-            let last = most as f64;
+            let (first, last) = (first as f64, (first + count) as f64);
             (
-                (low.clamp(0.0, last) as usize),
-                (high.clamp(0.0, last).ceil() as usize),
+                (low.clamp(first, last) as usize),
+                (high.clamp(first, last).ceil() as usize),
             )
         };
         if area.abs() < 1e-9 || !area.is_finite() {
             return;
         }
-        let (left, right) = ends([a.x, b.x, c.x], self.size[0]);
-        let (top, bottom) = ends([a.y, b.y, c.y], self.size[1]);
+        let (left, right) = ends([a.x, b.x, c.x], 0, self.size[0]);
+        let (top, bottom) = ends([a.y, b.y, c.y], self.first, self.size[1]);
         for y in top..bottom {
             for x in left..right {
                 let (px, py) = (x as f64 + 0.5, y as f64 + 0.5);
@@ -182,7 +239,8 @@ impl RasterCanvas {
                 let weights = [1.0 - v - w, v, w];
                 if weights.iter().all(|weight| *weight >= 0.0) {
                     let depth = weights[0] * a.z + weights[1] * b.z + weights[2] * c.z;
-                    paint(self, x + self.size[0] * y, weights, depth);
+                    let at = x + self.size[0] * (y - self.first);
+                    paint(self, at, weights, depth);
                 }
             }
         }

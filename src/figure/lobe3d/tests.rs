@@ -2,7 +2,7 @@ use super::*;
 use crate::brdf::fresnel::Fresnel;
 use crate::brdf::{Brdf, COMBINED, Params};
 use crate::figure::cosine::CosineFactor;
-use crate::figure::palette::Role;
+use crate::figure::palette::{Palette, Role};
 use crate::figure::scale::RadialScale;
 use crate::figure::subject::{Channel, Look, Source, Subject};
 use crate::geom::{Rgb, direction, mirror};
@@ -321,4 +321,30 @@ fn vectors_and_the_probe_are_named_and_marked() {
         let overlay = Overlay::new(&lobes, Camera::default(), Some(wo), size);
         assert!(overlay.projection.scale > 40.0);
     }
+}
+
+#[test]
+fn a_picture_in_bands_is_the_whole_one() {
+    let mut model = glossy();
+    model.look = Look::Model;
+    let lobes = Lobes::new(shape(45.0), &[lambert(), model], None);
+    let size = [90.0, 60.0];
+    let projection = SpaceProjection::new(Camera::default(), [0.0; 2], size);
+    let drawn =
+        |most| raster::picture_of(&lobes, &projection, &Palette::LIGHT, (size, 2.0), most).rgba;
+    let (whole, bands) = (drawn(1 << 20), drawn(1));
+    assert_eq!(whole.len(), bands.len());
+    let far = |(a, b): &(&[u8], &[u8])| {
+        (0..4).any(|k| {
+            let seen = |pixel: &[u8]| i32::from(pixel[k]) * i32::from(pixel[3]) / 255;
+            (seen(a) - seen(b)).abs() > 1
+        })
+    };
+    let pairs = whole.chunks_exact(4).zip(bands.chunks_exact(4));
+    assert_eq!(pairs.filter(far).count(), 0);
+    // Planted: another picture.
+    let turned = SpaceProjection::new(Camera::default(), [0.0; 2], [90.0, 58.0]);
+    let other = raster::picture_of(&lobes, &turned, &Palette::LIGHT, (size, 2.0), 1).rgba;
+    let pairs = whole.chunks_exact(4).zip(other.chunks_exact(4));
+    assert!(pairs.filter(far).count() > 100);
 }

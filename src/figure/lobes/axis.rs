@@ -5,7 +5,7 @@
 
 use super::spec::{LobeScale, LobeSpec};
 use super::traces::Trace;
-use crate::figure::scale::{Axis, RadialScale, nice_limit};
+use crate::figure::scale::{Axis, RadialScale, nice_limit, whole};
 use crate::figure::subject::{Look, Subject};
 use crate::geom::limits::{UNRELIABLE_THETA, UNRELIABLE_THETA_DEG};
 use std::f64::consts::FRAC_PI_2;
@@ -139,7 +139,7 @@ impl Profile {
         // A power of ten below the low values, so that the base stands clear of the middle.
         let floor = match scale {
             RadialScale::Linear | RadialScale::CubeRoot => 0.0,
-            RadialScale::Log => 10f64.powi((self.low / 2.0).log10().floor() as i32),
+            RadialScale::Log => 10f64.powi(whole((self.low / 2.0).log10().floor())),
         };
         Axis::between(scale, floor, ROOM * self.rim(scale))
     }

@@ -1,6 +1,7 @@
 //! The lobe plot on paper.
 
 use super::{LobePlot, LobeSpec};
+use crate::figure::faults::Faults;
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
 use crate::figure::scale::Axis;
 use crate::figure::subject::Subject;
@@ -8,9 +9,18 @@ use crate::figure::table::{DataTable, curve_head};
 use crate::geom::degrees::rounded;
 
 impl PanelView for LobeSpec {
+    fn sanitize(&mut self, faults: &mut Faults) {
+        faults.angles("theta_i", &mut self.theta_i);
+        faults.limits("limits", &mut self.limits);
+    }
+
     fn height(&self, width: f32, font: f32) -> f32 {
         // Half a disc, its title, and the values below it.
         0.5 * width + 4.0 * font
+    }
+
+    fn curves(&self) -> usize {
+        self.theta_i.len()
     }
 
     fn has_curves(&self) -> bool {
@@ -37,7 +47,11 @@ impl PanelView for LobeSpec {
         };
         let plot = LobePlot::new(&spec, input.subjects, input.size);
         PanelDrawing {
-            table: table(&plot, &spec, input.named),
+            table: if input.numbers {
+                table(&plot, &spec, input.named)
+            } else {
+                DataTable::default()
+            },
             axis: Some(plot.frame.axis),
             drawing: plot.drawing,
         }

@@ -2,16 +2,18 @@
 
 use super::lock::lock;
 use super::place::{PagePlacement, place};
-use super::spec::{PageSpec, PanelSpec};
+use super::spec::{PageSpec, PanelSpec, sanitize};
 use super::style::Style;
 use crate::figure::ViewSpec;
+use crate::figure::albedo::KnownAlbedos;
 use crate::figure::drawing::{
     Anchor, Drawing, Item, LARGEST_FONT, LINE_HEIGHT, Label, SMALLEST_FONT,
 };
+use crate::figure::faults::Faults;
 use crate::figure::fit_output::FitOutput;
 use crate::figure::legend::{SWATCH_EM, draw_entry};
 use crate::figure::palette::Role;
-use crate::figure::panel::{PanelDrawing, PanelInput};
+use crate::figure::panel::PanelInput;
 use crate::figure::subject::{Look, Subject};
 use crate::figure::table::DataTable;
 use crate::figure::text::{RichText, elided};
@@ -31,7 +33,7 @@ const GAP_EM: f32 = 1.0;
 /// Around the page, in points.
 const MARGIN: f32 = 2.0;
 
-/// Draws a page. `made` has an entry per panel, row by row.
+/// Draws a page. `made` has an entry per panel, row by row; `numbers` says whether the table is wanted too.
 ///
 /// # Errors
 /// One sentence where the spec cannot be drawn: no panels, a number out of range, a subject that is not there.
@@ -39,13 +41,18 @@ pub fn draw(
     spec: &PageSpec,
     subjects: &[Subject],
     made: &[Option<FitOutput>],
+    numbers: bool,
 ) -> Result<Page, String> {
-    check(spec, subjects)?;
-    let palette = spec.style.palette.palette();
-    let layout = PageLayout::new(spec);
     let mut spec = spec.clone();
+    let mut faults = Faults::default();
+    sanitize(&mut spec.rows, &mut spec.style, subjects.len(), &mut faults);
+    faults.result()?;
+    let palette = spec.style.palette.palette();
+    let unlocked = spec.clone();
+    let layout = PageLayout::new(&unlocked);
     let places = layout.places();
-    let draw_panel = |panel: &PanelSpec, view: &ViewSpec, index: usize| -> PanelDrawing {
+    let albedos = KnownAlbedos::default();
+    let draw_panel = |panel: &PanelSpec, view: &ViewSpec, index: usize, numbers: bool| {
         let named: Vec<Subject> = panel
             .subjects
             .iter()
@@ -63,6 +70,8 @@ pub fn draw(
             size: [width / scale, height / scale],
             density: scale * (layout.style.dpi / 72.0) as f32,
             palette: &palette,
+            numbers,
+            albedos: &albedos,
         })
     };
     let panels: Vec<PanelSpec> = spec
@@ -71,13 +80,13 @@ pub fn draw(
         .flat_map(|row| row.panels.clone())
         .collect();
     lock(&mut spec, |index, view| {
-        draw_panel(&panels[index], view, index)
+        draw_panel(&panels[index], view, index, false)
     });
     let mut page = Drawing::new([layout.width, 0.0]);
     let mut tables = Vec::new();
     let panels = spec.rows.iter().flat_map(|row| &row.panels);
     for (index, panel) in panels.enumerate() {
-        let drawn = draw_panel(panel, &panel.view, index);
+        let drawn = draw_panel(panel, &panel.view, index, numbers);
         let [x, y, width, height] = places[index];
         let how = PagePlacement {
             at: [x, y],
@@ -99,30 +108,10 @@ pub fn draw(
             ground: (!spec.style.transparent).then_some([255; 3]),
             fallback: Vec::new(),
             title: title(&spec, subjects),
+            recipe: None,
         },
-        table: DataTable::joined(&tables),
+        table: DataTable::joined(tables),
     })
-}
-
-fn check(spec: &PageSpec, subjects: &[Subject]) -> Result<(), String> {
-    spec.style.check()?;
-    let panels: Vec<&PanelSpec> = spec.rows.iter().flat_map(|row| &row.panels).collect();
-    if panels.is_empty() {
-        return Err("the figure has no panels; expected at least one".into());
-    }
-    let wanted = panels.iter().flat_map(|panel| &panel.subjects);
-    if let Some(missing) = wanted.copied().find(|at| *at >= subjects.len()) {
-        return Err(format!(
-            "a panel names subject {missing}; the figure has {}, counted from 0",
-            subjects.len()
-        ));
-    }
-    for row in &spec.rows {
-        if let Some(height) = row.height_mm.filter(|mm| !(5.0..=2000.0).contains(mm)) {
-            return Err(format!("height_mm is {height}; expected 5 to 2000"));
-        }
-    }
-    Ok(())
 }
 
 /// Subjects as a panel draws them: curves are named below the page and not in each panel.

@@ -15,8 +15,8 @@ mod style;
 
 pub use draw::{Page, draw};
 pub use only_sphere::only_sphere;
-pub use spec::{PageSpec, PanelSpec, RowSpec};
-pub use style::{COLUMNS, INKS, Inks, SAME_AXES, SameAxes, Style};
+pub use spec::{PageSpec, PanelSpec, RowSpec, sanitize};
+pub use style::{COLUMNS, INKS, Inks, SAME_AXES, SameAxes, Style, style_limits};
 
 #[cfg(test)]
 mod tests;

@@ -1,5 +1,6 @@
 //! Style: the look of a figure on paper.
 
+use crate::figure::faults::Faults;
 use crate::figure::palette::{Palette, SERIES_COLORS};
 use crate::keys;
 use serde::{Deserialize, Serialize};
@@ -133,19 +134,25 @@ const LIMITS: [(&str, f64, f64); 4] = [
     ("dpi", 30.0, 2400.0),
 ];
 
+/// The smallest and the largest value of a number of the style, by its key.
+pub fn style_limits(key: &str) -> Option<[f64; 2]> {
+    let found = LIMITS.iter().find(|(known, ..)| *known == key)?;
+    Some([found.1, found.2])
+}
+
 impl Style {
-    /// First value out of range, as an error of one sentence.
-    ///
-    /// # Errors
-    /// Names the key, what it is and what was expected.
-    pub fn check(&self) -> Result<(), String> {
-        let values = [self.width_mm, self.font_pt, self.line_pt, self.dpi];
-        for ((key, low, high), value) in LIMITS.into_iter().zip(values) {
-            if !(low..=high).contains(&value) {
-                return Err(format!("{key} is {value}; expected {low} to {high}"));
-            }
+    /// Brings the numbers to the nearest that can be asked for.
+    pub fn sanitize(&mut self, faults: &mut Faults) {
+        let Self {
+            width_mm,
+            font_pt,
+            line_pt,
+            dpi,
+            ..
+        } = self;
+        for ((key, low, high), value) in LIMITS.into_iter().zip([width_mm, font_pt, line_pt, dpi]) {
+            faults.number(key, value, [low, high]);
         }
-        Ok(())
     }
 }
 
@@ -155,15 +162,19 @@ mod tests {
 
     #[test]
     fn what_is_out_of_range_is_named() {
-        assert_eq!(Style::default().check(), Ok(()));
+        let said = |mut style: Style| {
+            let mut faults = Faults::default();
+            style.sanitize(&mut faults);
+            (style, faults.result())
+        };
+        assert_eq!(said(Style::default()), (Style::default(), Ok(())));
         let wrong = Style {
             font_pt: f64::NAN,
             ..Style::default()
         };
-        assert_eq!(
-            wrong.check().expect_err("no font"),
-            "font_pt is NaN; expected 3 to 72"
-        );
+        let (kept, said) = said(wrong);
+        assert_eq!(kept.font_pt, 3.0);
+        assert_eq!(said, Err("font_pt is NaN; expected 3 to 72".into()));
     }
 
     #[test]

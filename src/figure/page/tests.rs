@@ -8,6 +8,7 @@ use crate::figure::table::TableField;
 use crate::figure::write::POINTS_PER_MM;
 use std::f64::consts::FRAC_1_PI;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A diffuse material of albedo `albedo`.
 fn lambert(label: &str, look: Look, albedo: f64) -> Subject {
@@ -47,7 +48,10 @@ fn row(panels: Vec<PanelSpec>) -> RowSpec {
 
 fn page(rows: Vec<RowSpec>, style: Style) -> Drawing {
     let spec = PageSpec { rows, style };
-    draw(&spec, &subjects(), &[]).expect("a page").paper.drawing
+    draw(&spec, &subjects(), &[], true)
+        .expect("a page")
+        .paper
+        .drawing
 }
 
 fn sizes(drawing: &Drawing) -> Vec<f32> {
@@ -198,7 +202,7 @@ fn the_table_has_the_numbers_that_are_drawn() {
         rows: vec![row(vec![lobes(&[0]), lobes(&[1])])],
         style: Style::default(),
     };
-    let table = draw(&spec, &subjects(), &[]).expect("a page").table;
+    let table = draw(&spec, &subjects(), &[], true).expect("a page").table;
     assert_eq!(table.columns[0], "panel");
     let value = table.columns.iter().position(|name| *name == "value");
     let value = value.expect("a column");
@@ -228,7 +232,63 @@ fn greys_are_grey_and_a_clear_page_has_no_ground() {
             ..Style::default()
         },
     };
-    let paper = draw(&spec, &subjects(), &[]).expect("a page").paper;
+    let paper = draw(&spec, &subjects(), &[], true).expect("a page").paper;
     assert_eq!(paper.ground, None);
     assert!(paper.title.contains("dark"));
+}
+
+#[test]
+fn an_albedo_is_computed_once_for_all_panels_and_their_axis() {
+    let asked = Arc::new(AtomicUsize::new(0));
+    let counted = Arc::clone(&asked);
+    let source = Source::Function(Arc::new(move |_, _| {
+        counted.fetch_add(1, Ordering::Relaxed);
+        Some([0.3; 3])
+    }));
+    let subject = Subject {
+        label: "x".into(),
+        look: Look::Measured,
+        series: 0,
+        hidden: false,
+        source,
+    };
+    let count = |panels: usize| {
+        let panel = PanelSpec {
+            heading: None,
+            subjects: vec![0],
+            view: ViewSpec::Albedo(Default::default()),
+        };
+        let row = RowSpec {
+            panels: vec![panel; panels],
+            ..RowSpec::default()
+        };
+        let spec = PageSpec {
+            rows: vec![row],
+            style: Style::default(),
+        };
+        asked.store(0, Ordering::Relaxed);
+        draw(&spec, std::slice::from_ref(&subject), &[], false).expect("a page");
+        asked.load(Ordering::Relaxed)
+    };
+    let once = count(1);
+    assert!(once > 0);
+    assert_eq!(count(10), once);
+}
+
+#[test]
+fn numbers_are_made_where_they_are_wanted() {
+    let spec = PageSpec {
+        rows: vec![RowSpec {
+            panels: vec![PanelSpec {
+                heading: None,
+                subjects: vec![0],
+                view: ViewSpec::Lobes(Default::default()),
+            }],
+            ..RowSpec::default()
+        }],
+        style: Style::default(),
+    };
+    let page = |numbers| draw(&spec, &subjects(), &[], numbers).expect("a page");
+    assert!(page(false).table.rows.is_empty() && !page(true).table.rows.is_empty());
+    assert_eq!(page(false).paper, page(true).paper);
 }

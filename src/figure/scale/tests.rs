@@ -208,3 +208,30 @@ fn zooming_keeps_what_is_under_the_pointer() {
         assert!((part.share(value) - 0.2).abs() < 1e-9);
     }
 }
+
+#[test]
+fn marks_end_whatever_the_ends_of_an_axis_are() {
+    let odd = [
+        0.0,
+        -1.0,
+        5e-324,
+        1e-300,
+        1.0,
+        1e300,
+        f64::MAX,
+        f64::INFINITY,
+        f64::NAN,
+    ];
+    for scale in RADIAL_SCALES {
+        for (floor, limit) in odd.iter().flat_map(|low| odd.map(|high| (*low, high))) {
+            let axis = Axis {
+                scale,
+                limit,
+                floor,
+            };
+            let marks = axis.marks(300.0, 20.0, Steps::Decimal);
+            let count = marks.major.len() + marks.minor.len() + axis.ticks(6).len();
+            assert!(count < 10_000, "{axis:?}: {count}");
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! Round values on an axis: rings of a polar plot, and marks along a straight axis.
 
-use super::{Axis, RadialScale, number, power_of_ten, scaled};
+use super::{Axis, RadialScale, number, power_of_ten, scaled, whole};
 use crate::figure::text::RichText;
 
 /// A value that is marked on an axis.
@@ -53,7 +53,7 @@ impl Steps {
                 }
             }
         }
-        let exponent = least.log10().floor() as i32;
+        let exponent = whole(least.log10().floor());
         let (digit, parts) = [(1.0, 5), (2.0, 4), (5.0, 5)]
             .into_iter()
             .find(|(digit, _)| scaled(*digit, exponent) >= least * (1.0 - 1e-9))
@@ -105,7 +105,7 @@ impl Axis {
     fn spread_values(&self, gap: f64) -> Vec<f64> {
         let mut values = Vec::new();
         let mut last = f64::INFINITY;
-        let top = self.limit.log10().ceil() as i32;
+        let top = whole(self.limit.log10().ceil());
         for exponent in (top - 4..=top).rev() {
             for digit in [5.0, 2.0, 1.0] {
                 let value = scaled(digit, exponent);
@@ -122,8 +122,8 @@ impl Axis {
 
     /// Powers of ten, every first, second or third.
     fn decades(&self, count: usize) -> Vec<f64> {
-        let bottom = self.floor.log10().round() as i32 + 1;
-        let top = (self.limit.log10() + 1e-9).floor() as i32;
+        let bottom = whole(self.floor.log10().round()) + 1;
+        let top = whole((self.limit.log10() + 1e-9).floor());
         let step = ((top - bottom + 1).max(1) as usize).div_ceil(count);
         // Downwards, so that the largest one is always there.
         let mut values: Vec<f64> = (bottom..=top)
@@ -215,7 +215,7 @@ impl Axis {
     /// 0 and 1-2-5 values on both sides of it, from the ends inwards.
     fn cubic_marks(&self, count: f64) -> Ticks {
         let gap = 1.0 / count;
-        let top = self.limit.abs().max(self.floor.abs()).log10().ceil() as i32;
+        let top = whole(self.limit.abs().max(self.floor.abs()).log10().ceil());
         let mut values = vec![0.0];
         for exponent in (top - 4..=top).rev() {
             for digit in [5.0, 2.0, 1.0] {
@@ -248,8 +248,8 @@ impl Axis {
         let (low, high) = (self.floor.log10(), self.limit.log10());
         let decades = (high - low).max(1e-9);
         let (bottom, top) = (
-            (low - ROUNDING).ceil() as i32,
-            (high + ROUNDING).floor() as i32,
+            whole((low - ROUNDING).ceil()),
+            whole((high + ROUNDING).floor()),
         );
         let mut marks = Ticks::default();
         let mut add_major = |value: f64, text: String| {
@@ -309,7 +309,7 @@ impl Axis {
 /// Multiples of the smallest step of 1, 2 or 5 times a power of ten that needs no more than `count`.
 fn even_values(limit: f64, count: usize) -> Vec<f64> {
     let least = limit / count as f64;
-    let exponent = least.log10().floor() as i32;
+    let exponent = whole(least.log10().floor());
     let digit = [1.0, 2.0, 5.0, 10.0]
         .into_iter()
         .find(|digit| scaled(*digit, exponent) >= least * (1.0 - 1e-9))

@@ -1,18 +1,33 @@
 //! Slices on paper.
 
 use super::{Over, Residual, SlicePlot, SliceSpec};
+use crate::figure::faults::Faults;
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView, SharedAxis};
 use crate::figure::scale::Axis;
 use crate::figure::subject::Subject;
 use crate::figure::table::{DataTable, TableField, curve_head};
 use crate::geom::degrees::rounded;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 impl PanelView for SliceSpec {
+    fn sanitize(&mut self, faults: &mut Faults) {
+        faults.angles("theta_i", &mut self.theta_i);
+        faults.angle("theta_h", &mut self.theta_h, [0.0, FRAC_PI_2]);
+        faults.angle("theta_d", &mut self.theta_d, [0.0, FRAC_PI_2]);
+        faults.angle("phi_d", &mut self.phi_d, [0.0, TAU]);
+        faults.window("window", &mut self.window, self.over.range());
+        faults.limits("limits", &mut self.limits);
+    }
+
     fn height(&self, width: f32, font: f32) -> f32 {
         match self.residual {
             Residual::None => 0.6 * width + 3.0 * font,
             _ => 0.8 * width + 4.0 * font,
         }
+    }
+
+    fn curves(&self) -> usize {
+        self.slices()
     }
 
     fn has_curves(&self) -> bool {
@@ -34,7 +49,11 @@ impl PanelView for SliceSpec {
     fn draw(&self, input: &PanelInput) -> PanelDrawing {
         let plot = SlicePlot::new(self, input.subjects, input.size);
         PanelDrawing {
-            table: table(&plot, self, input.named),
+            table: if input.numbers {
+                table(&plot, self, input.named)
+            } else {
+                DataTable::default()
+            },
             axis: Some(plot.frame.y),
             drawing: plot.drawing,
         }

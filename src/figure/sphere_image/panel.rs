@@ -2,8 +2,10 @@
 
 use super::{
     PIXEL, SphereShow, SphereSpec, error_colors, error_names, error_ticks, error_unit, render_part,
+    sanitize,
 };
 use crate::figure::drawing::{Anchor, Drawing, Item, Label, Picture, font_size};
+use crate::figure::faults::Faults;
 use crate::figure::palette::Role;
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView};
 use crate::figure::text::RichText;
@@ -13,6 +15,10 @@ use crate::geom::sphere_error::SphereError;
 const MOST: usize = 4096;
 
 impl PanelView for SphereSpec {
+    fn sanitize(&mut self, faults: &mut Faults) {
+        sanitize(&mut self.view, &mut self.split, &mut self.sight, faults);
+    }
+
     fn height(&self, width: f32, _font: f32) -> f32 {
         match self.show {
             SphereShow::Error(_) => 0.85 * width,

@@ -146,7 +146,9 @@ fn more_samples_come_closer_to_the_truth_at_edges() {
     assert!(one > 0.3, "{one}");
     // A straight edge moves by at most half a column of samples.
     assert!(four < 0.5 / 4.0 && sixteen < 0.5 / 16.0, "{four} {sixteen}");
-    assert_eq!(render(&source, &frontal(), 24), at(SAMPLES_A_SIDE));
+    let drawn = render(&source, &frontal(), 24).to_linear();
+    assert_eq!(drawn, at(SAMPLES_A_SIDE).to_linear());
+    assert_ne!(drawn, at(SAMPLES_A_SIDE + 1).to_linear());
 }
 
 #[test]
@@ -245,7 +247,43 @@ fn the_number_of_threads_changes_nothing() {
         model: diffuse(0.5),
         error: SphereError::Ratio,
     };
-    let draw = || render(&source, &SphereView::default(), 33);
+    let draw = || render(&source, &SphereView::default(), 33).to_linear();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
     assert_eq!(pool.expect("a thread").install(draw), draw());
+}
+
+#[test]
+fn a_large_picture_is_drawn_in_bands_that_fit() {
+    // More rows than one band has.
+    let size = 1100;
+    let picture = sampled(
+        &SphereSource::One(diffuse(0.8)),
+        &frontal(),
+        Sight::default(),
+        size,
+        1,
+    );
+    let (linear, bytes) = (picture.to_linear(), picture.to_rgba8());
+    assert_eq!(linear.len(), size * size);
+    assert_eq!(bytes.len(), PIXEL * size * size);
+    let mut file = Cursor::new(Vec::new());
+    picture.write_exr(&mut file).expect("memory takes it");
+    let read = image::load_from_memory_with_format(file.get_ref(), image::ImageFormat::OpenExr);
+    assert_eq!(
+        read.expect("an EXR").into_rgba32f().as_raw().as_slice(),
+        linear.as_flattened()
+    );
+    // It is as bright above as below, and as a picture of one band at the same places.
+    let row = |y: usize| &linear[size * y..size * (y + 1)];
+    for y in [0, 300, 500] {
+        let far = row(y)
+            .iter()
+            .flatten()
+            .zip(row(size - 1 - y).iter().flatten());
+        assert!(
+            far.into_iter().all(|(a, b)| (a - b).abs() < 1e-5),
+            "row {y}"
+        );
+    }
+    assert!(row(550)[550][0] > 0.5 && row(1060)[550][0] > 0.0);
 }

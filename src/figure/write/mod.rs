@@ -11,6 +11,7 @@
 pub mod font;
 pub mod pdf;
 pub mod raster;
+pub mod recipe;
 pub mod svg;
 
 use super::drawing::Drawing;
@@ -30,6 +31,8 @@ pub struct Paper {
     pub fallback: Vec<FallbackFont>,
     /// One line for whoever looks at the file's properties or has it read out.
     pub title: String,
+    /// The spec that draws it again, as text for the metadata; none without.
+    pub recipe: Option<String>,
 }
 
 /// Points of print in a millimetre.

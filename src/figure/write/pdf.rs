@@ -1,12 +1,14 @@
 //! A drawing as a PDF of one page. Text stays text, in a font that is embedded.
 
 use super::font::FallbackFont;
+use super::recipe::ATTACHMENT;
 use super::svg::HALO;
 use super::{CREATOR, Paper, font};
 use crate::figure::drawing::{Item, Label, Point};
 use crate::figure::palette::{Ink, Palette, Role};
 use krilla::color::rgb;
 use krilla::configure::{ConfigurationBuilder, PdfVersion};
+use krilla::embed::{AssociationKind, EmbeddedFile, MimeType};
 use krilla::geom::{Path, PathBuilder, Point as PdfPoint, Rect, Size, Transform};
 use krilla::image::Image;
 use krilla::metadata::Metadata;
@@ -38,6 +40,10 @@ pub fn pdf(paper: &Paper) -> Result<Vec<u8>, PdfError> {
             .title(paper.title.clone())
             .creator(CREATOR.into()),
     );
+    if let Some(recipe) = &paper.recipe {
+        let attached = document.embed_file(attachment(recipe));
+        attached.ok_or_else(|| fail("the recipe cannot be attached"))?;
+    }
     let mut page = document.start_page_with(page);
     let mut surface = page.surface();
     if let Some([r, g, b]) = paper.ground {
@@ -52,6 +58,20 @@ pub fn pdf(paper: &Paper) -> Result<Vec<u8>, PdfError> {
     document
         .finish()
         .map_err(|error| PdfError(format!("{error:?}")))
+}
+
+/// The recipe as a file in the PDF; without a date, so that the same figure has the same bytes.
+fn attachment(recipe: &str) -> EmbeddedFile {
+    EmbeddedFile {
+        path: ATTACHMENT.into(),
+        mime_type: MimeType::new("application/json"),
+        description: Some("The spec of this figure, from which Grazing draws it again".into()),
+        association_kind: AssociationKind::Source,
+        data: recipe.as_bytes().to_vec().into(),
+        modification_date: None,
+        compress: Some(true),
+        location: None,
+    }
 }
 
 /// PDF 1.5: pdfTeX warns of what is newer than the documents that it makes, and nothing in a figure needs more. PDF 1.4

@@ -1,7 +1,9 @@
 //! A drawing as pixels: the SVG, rasterised.
 
 use super::font::FallbackFont;
+use super::recipe::KEYWORD;
 use super::{CREATOR, Paper, font, svg};
+use png::text_metadata::ITXtChunk;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg;
 use std::sync::{Arc, LazyLock};
@@ -91,13 +93,20 @@ pub fn options(fallback: &[FallbackFont]) -> usvg::Options<'static> {
 /// As [`pixels`].
 pub fn png(paper: &Paper, dpi: f64) -> Result<Vec<u8>, RasterError> {
     let pixels = pixels(paper, dpi)?;
-    encoded(&pixels, dpi, &paper.title)
+    encoded(&pixels, dpi, paper)
         .map_err(|error| RasterError(format!("cannot make the PNG: {error}")))
 }
 
-fn encoded(pixels: &Pixels, dpi: f64, title: &str) -> Result<Vec<u8>, png::EncodingError> {
+fn encoded(pixels: &Pixels, dpi: f64, paper: &Paper) -> Result<Vec<u8>, png::EncodingError> {
     let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, pixels.width, pixels.height);
+    let mut info = png::Info::with_size(pixels.width, pixels.height);
+    if let Some(recipe) = &paper.recipe {
+        let mut chunk = ITXtChunk::new(KEYWORD, recipe.as_str());
+        chunk.compressed = true;
+        chunk.compress_text()?;
+        info.utf8_text.push(chunk);
+    }
+    let mut encoder = png::Encoder::with_info(&mut bytes, info)?;
     encoder.set_color(png::ColorType::Rgba);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
@@ -107,7 +116,7 @@ fn encoded(pixels: &Pixels, dpi: f64, title: &str) -> Result<Vec<u8>, png::Encod
         yppu: per_metre,
         unit: png::Unit::Meter,
     }));
-    encoder.add_itxt_chunk("Title".into(), title.into())?;
+    encoder.add_itxt_chunk("Title".into(), paper.title.clone())?;
     encoder.add_itxt_chunk("Software".into(), CREATOR.into())?;
     let mut writer = encoder.write_header()?;
     writer.write_image_data(&pixels.rgba)?;

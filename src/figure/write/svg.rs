@@ -1,6 +1,7 @@
 //! A drawing as SVG. Text stays text; the letters that it uses are carried along as a font.
 
 use super::font::FallbackFont;
+use super::recipe::{ELEMENT, NAMESPACE};
 use super::{CREATOR, POINTS_PER_MM, Paper, font};
 use crate::figure::drawing::{Item, Label, Picture, Point};
 use crate::figure::palette::{Ink, Palette, Role};
@@ -26,6 +27,13 @@ pub fn svg(paper: &Paper) -> String {
     );
     let _ = writeln!(out, "<title>{}</title>", escaped(&paper.title));
     let _ = writeln!(out, "<desc>{CREATOR}</desc>");
+    if let Some(recipe) = &paper.recipe {
+        let _ = writeln!(
+            out,
+            "<metadata><{ELEMENT} xmlns=\"{NAMESPACE}\">{}</{ELEMENT}></metadata>",
+            escaped(recipe)
+        );
+    }
     let _ = writeln!(out, "<style>\n{}</style>", style(paper));
     if let Some([r, g, b]) = paper.ground {
         let _ = writeln!(

@@ -1,4 +1,5 @@
 use super::raster::{MOST_PIXELS, options, pixels, png};
+use super::recipe::PictureKind;
 use super::{Paper, font, pdf, svg};
 use crate::figure::drawing::{Anchor, Drawing, Item, Label, Picture};
 use crate::figure::palette::{Ink, Palette, Role};
@@ -9,6 +10,9 @@ use std::f32::consts::FRAC_PI_2;
 
 const RED: Role = Role::Fixed([200, 0, 0]);
 const BLUE: Role = Role::Fixed([0, 0, 200]);
+
+/// Text with what SVG has to escape, and letters of every kind.
+const RECIPE: &str = "{\"label\": \"]]> <ü> & 漢\"}";
 
 /// Drawing with one item of every kind on 100 × 60 points.
 fn paper() -> Paper {
@@ -49,6 +53,7 @@ fn paper() -> Paper {
         ground: Some([255; 3]),
         fallback: Vec::new(),
         title: "a <test> & more\u{7}".into(),
+        recipe: Some(RECIPE.into()),
     }
 }
 
@@ -244,4 +249,25 @@ fn a_pdf_is_made_and_always_the_same() {
     let mut other = paper();
     other.drawing.items.pop();
     assert_ne!(pdf::pdf(&other).expect("a PDF"), bytes);
+}
+
+#[test]
+fn every_picture_carries_its_recipe() {
+    let paper = paper();
+    let of = |paper: &Paper| {
+        [
+            (PictureKind::Svg, svg::svg(paper).into_bytes()),
+            (PictureKind::Pdf, pdf::pdf(paper).expect("a PDF")),
+            (PictureKind::Png, png(paper, 72.0).expect("a PNG")),
+        ]
+    };
+    let without = Paper {
+        recipe: None,
+        ..paper.clone()
+    };
+    for ((kind, with), (_, without)) in of(&paper).into_iter().zip(of(&without)) {
+        assert_eq!(PictureKind::of_head(&with), Some(kind));
+        assert_eq!(kind.recipe(with), Ok(Some(RECIPE.into())), "{kind:?}");
+        assert_eq!(kind.recipe(without), Ok(None), "{kind:?}");
+    }
 }

@@ -126,6 +126,16 @@ fn what_cannot_be_is_replaced_and_named_in_one_line() {
             json!("red"),
             "not known and left out: views.lobes.colour",
         ),
+        (
+            "/views/sphere/view/lights/0/colour",
+            json!("red"),
+            "not known and left out: views.sphere.view.lights.0.colour",
+        ),
+        (
+            "/views/image/view/z",
+            json!([0, 1]),
+            "not known and left out: views.image.view.z",
+        ),
         ("/zoo", json!([1]), "not known and left out: zoo"),
     ] {
         let found = with(pointer, value);

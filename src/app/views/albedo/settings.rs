@@ -2,12 +2,12 @@
 //!
 //! Measurements and models are apart: a slider changes the model in milliseconds, a table takes seconds.
 
-use crate::app::state::sanitize::{limits, window};
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::Settings;
 use crate::figure::albedo::AlbedoSpec;
+use crate::figure::faults::Faults;
+use crate::figure::panel::PanelView as _;
 use serde::{Deserialize, Serialize};
-use std::f64::consts::FRAC_PI_2;
 
 /// Settings of the tile of the albedo plot.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -21,8 +21,7 @@ impl Settings for AlbedoSettings {
     const VIEW: ViewId = ViewId::Albedo;
 
     fn sanitized(mut self) -> Self {
-        self.spec.window = window(self.spec.window, [0.0, FRAC_PI_2]);
-        self.spec.limits = limits(self.spec.limits);
+        self.spec.sanitize(&mut Faults::default());
         self
     }
 }

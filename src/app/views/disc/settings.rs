@@ -1,12 +1,13 @@
 //! Settings of the disc: those of its figure.
 
 use crate::app::state::probe::{Probe, same};
-use crate::app::state::sanitize::limits;
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::Settings;
 use crate::figure::ProbeMark;
 use crate::figure::disc::DiscSpec;
+use crate::figure::faults::{Faults, are_limits};
 use crate::figure::heatmap::ColorScale;
+use crate::figure::panel::PanelView as _;
 use crate::geom::directions::{phi, theta, wrap};
 use crate::geom::limits::MAX_THETA_I;
 use std::f64::consts::TAU;
@@ -21,9 +22,8 @@ impl Settings for DiscSettings {
     const VIEW: ViewId = ViewId::Disc;
 
     fn sanitized(mut self) -> Self {
-        self.theta_i = self.theta_i.clamp(0.0, MAX_THETA_I);
-        self.phi_i = wrap(self.phi_i, TAU);
-        self.limits = limits(self.limits);
+        self.sanitize(&mut Faults::default());
+        self.theta_i = self.theta_i.min(MAX_THETA_I);
         self
     }
 }
@@ -74,7 +74,7 @@ pub fn zoomed(colors: &ColorScale, factor: f64) -> Option<[f64; 2]> {
         ColorScale::Ratio(most) => [0.0, most.powf(1.0 / factor).clamp(FACTORS[0], FACTORS[1])],
         ColorScale::Between(..) => return None,
     };
-    limits(Some(ends))
+    are_limits(ends).then_some(ends)
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::Settings;
 use crate::figure::error_map::Plane;
+use crate::figure::faults::Faults;
 use crate::figure::heatmap::HeatView;
 use crate::figure::scale::RadialScale;
 use serde::{Deserialize, Serialize};
@@ -33,7 +34,7 @@ impl Settings for ErrorMapSettings {
     const VIEW: ViewId = ViewId::ErrorMap;
 
     fn sanitized(mut self) -> Self {
-        self.view = self.view.sanitized();
+        self.view.sanitize(&mut Faults::default());
         self
     }
 }

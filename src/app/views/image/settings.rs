@@ -1,11 +1,12 @@
 //! Settings of the image slice.
 
 use crate::app::state::probe::{Probe, same};
-use crate::app::state::sanitize::limits;
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::Settings;
 use crate::figure::ProbeMark;
+use crate::figure::faults::Faults;
 use crate::figure::image_slice::ImageSpec;
+use crate::figure::panel::PanelView as _;
 use std::f64::consts::PI;
 
 /// Settings of the image slice: those of its figure. The probe is filled in while drawing.
@@ -15,9 +16,7 @@ impl Settings for ImageSettings {
     const VIEW: ViewId = ViewId::Image;
 
     fn sanitized(mut self) -> Self {
-        self.phi_d = self.phi_d.clamp(0.0, PI);
-        self.limits = limits(self.limits);
-        self.view = self.view.sanitized();
+        self.sanitize(&mut Faults::default());
         self
     }
 }

@@ -17,7 +17,7 @@ pub const ON_PAPER: PaperView = PaperView {
         );
         let solved = view.solve_eta && brdf.fresnel != Fresnel::None;
         vec![subjects.picture(ViewSpec::Landscape(LandscapePanel {
-            fresnel: brdf.fresnel.key().into(),
+            fresnel: brdf.fresnel,
             eta: (!solved).then_some(brdf.params.eta),
             weight: fit.weight.key().into(),
             limit: fit.limit,

@@ -2,6 +2,7 @@
 
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::Settings;
+use crate::figure::faults::Faults;
 use crate::figure::heatmap::HeatView;
 use serde::{Deserialize, Serialize};
 
@@ -19,7 +20,7 @@ impl Settings for LandscapeSettings {
     const VIEW: ViewId = ViewId::Landscape;
 
     fn sanitized(mut self) -> Self {
-        self.view = self.view.sanitized();
+        self.view.sanitize(&mut Faults::default());
         self
     }
 }

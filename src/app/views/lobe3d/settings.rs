@@ -2,7 +2,9 @@
 
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::Settings;
+use crate::figure::faults::Faults;
 use crate::figure::lobe3d::Lobe3dSpec;
+use crate::figure::panel::PanelView as _;
 use crate::geom::limits::MAX_THETA_I;
 
 /// Settings of the lobes in space. θi is that of the light where there is no probe.
@@ -12,8 +14,8 @@ impl Settings for Lobe3dSettings {
     const VIEW: ViewId = ViewId::Lobe3d;
 
     fn sanitized(mut self) -> Self {
-        self.theta_i = self.theta_i.clamp(0.0, MAX_THETA_I);
-        self.camera = self.camera.clamped();
+        self.sanitize(&mut Faults::default());
+        self.theta_i = self.theta_i.min(MAX_THETA_I);
         self
     }
 }

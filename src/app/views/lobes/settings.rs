@@ -1,10 +1,12 @@
 //! Settings of the polar lobes: those of their figure.
 
 use crate::app::state::probe::Probe;
-use crate::app::state::sanitize::{angles, limits};
+use crate::app::state::sanitize::offered;
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::Settings;
+use crate::figure::faults::Faults;
 use crate::figure::lobes::LobeSpec;
+use crate::figure::panel::PanelView as _;
 use crate::geom::limits::MAX_THETA_I;
 
 /// Settings of the polar lobes. The probe is filled in while drawing.
@@ -14,9 +16,9 @@ impl Settings for LobeSettings {
     const VIEW: ViewId = ViewId::Lobes;
 
     fn sanitized(mut self) -> Self {
-        angles(&mut self.theta_i, MAX_THETA_I);
+        self.sanitize(&mut Faults::default());
+        offered(&mut self.theta_i, MAX_THETA_I);
         self.active = self.active.min(self.theta_i.len() - 1);
-        self.limits = limits(self.limits);
         self.still = false;
         self
     }

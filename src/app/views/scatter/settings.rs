@@ -2,19 +2,16 @@
 
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::Settings;
+use crate::figure::faults::Faults;
+use crate::figure::panel::PanelView as _;
 use crate::figure::scatter::ScatterSpec;
 
 /// Settings of the materials.
 pub type ScatterSettings = ScatterSpec;
 
-/// Ends that are farther out or nearer to each other show nothing more.
-const ENDS: [f64; 2] = [1e-4, 1e8];
-const CLOSEST: f64 = 1.05;
-
 /// Settings with these ends of the axis of s, if they can be shown.
 pub fn with_window(settings: ScatterSettings, ends: [f64; 2]) -> ScatterSettings {
-    let [low, high] = ends;
-    let shown = low >= ENDS[0] && high <= ENDS[1] && high >= CLOSEST * low;
+    let shown = ScatterSettings::are_ends(ends);
     ScatterSettings {
         window: if shown { Some(ends) } else { settings.window },
     }
@@ -23,9 +20,9 @@ pub fn with_window(settings: ScatterSettings, ends: [f64; 2]) -> ScatterSettings
 impl Settings for ScatterSettings {
     const VIEW: ViewId = ViewId::Scatter;
 
-    fn sanitized(self) -> Self {
-        let whole = Self::default();
-        self.window.map_or(whole, |ends| with_window(whole, ends))
+    fn sanitized(mut self) -> Self {
+        self.sanitize(&mut Faults::default());
+        self
     }
 }
 

@@ -1,14 +1,16 @@
 //! Settings of the slices, and the mark of the probe in them.
 
 use crate::app::state::probe::{Probe, same};
-use crate::app::state::sanitize::{angles, limits, window};
+use crate::app::state::sanitize::offered;
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::Settings;
 use crate::figure::ProbeMark;
+use crate::figure::faults::Faults;
+use crate::figure::panel::PanelView as _;
 use crate::figure::slices::{Over, SliceSpec};
 use crate::geom::HalfDiff;
 use serde::{Deserialize, Serialize};
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Settings of the tile of the slices.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -25,13 +27,9 @@ impl Settings for SliceSettings {
 
     fn sanitized(mut self) -> Self {
         let spec = &mut self.spec;
-        angles(&mut spec.theta_i, FRAC_PI_2);
+        spec.sanitize(&mut Faults::default());
+        offered(&mut spec.theta_i, FRAC_PI_2);
         spec.active = spec.active.min(spec.theta_i.len() - 1);
-        spec.theta_h = spec.theta_h.clamp(0.0, FRAC_PI_2);
-        spec.theta_d = spec.theta_d.clamp(0.0, FRAC_PI_2);
-        spec.phi_d = spec.phi_d.clamp(0.0, TAU);
-        spec.window = window(spec.window, spec.over.range());
-        spec.limits = limits(spec.limits);
         self
     }
 }

@@ -1,13 +1,13 @@
 //! Settings of the sphere.
 
-use crate::app::state::sanitize::unit;
 use crate::app::state::view_id::ViewId;
 use crate::app::state::view_settings::Settings;
+use crate::figure::faults::Faults;
+use crate::figure::sphere_image::sanitize;
 use crate::geom::limits::MAX_EXPOSURE_STOPS;
 use crate::geom::sight::Sight;
-use crate::geom::sphere::{MAX_LIGHTS, SphereView};
+use crate::geom::sphere::SphereView;
 use crate::geom::sphere_error::SphereError;
-use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 /// Content of the sphere.
@@ -75,27 +75,19 @@ impl Default for SphereSettings {
     }
 }
 
-/// The brightest light.
-const STRONGEST: f64 = 1e3;
-
 impl Settings for SphereSettings {
     const VIEW: ViewId = ViewId::Sphere;
 
     fn sanitized(mut self) -> Self {
-        let view = &mut self.view;
-        view.lights.truncate(MAX_LIGHTS);
-        if view.lights.is_empty() {
-            view.lights = SphereView::default().lights;
-        }
-        for light in &mut view.lights {
-            light.direction = unit(light.direction).unwrap_or(DVec3::Z);
-            light.strength = light.strength.map(|channel| channel.clamp(0.0, STRONGEST));
-        }
+        let Self {
+            view, split, sight, ..
+        } = &mut self;
+        sanitize(view, split, sight, &mut Faults::default());
         view.exposure_stops = view
             .exposure_stops
             .clamp(-MAX_EXPOSURE_STOPS, MAX_EXPOSURE_STOPS);
-        self.split = self.split.clamp(-1.0, 1.0);
-        self.sight = self.sight.sanitized();
+        // The whole sphere is in the middle.
+        *sight = sight.zoomed(1.0, sight.center);
         self
     }
 }
