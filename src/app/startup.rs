@@ -21,6 +21,7 @@ pub use words::APT_LINE;
 /// A message for the terminal: why there is no window, what to install, and what works without one.
 pub fn run(files: Vec<PathBuf>) -> Result<(), String> {
     catch_missing_libraries();
+    adapter::check_environment()?;
     let options = eframe::NativeOptions {
         event_loop_builder: event_loop_hook()?,
         ..native_options()

@@ -14,6 +14,7 @@ use crate::figure::page::{Inks, SAME_AXES, SameAxes, Style};
 use crate::figure::scale::{RADIAL_SCALES, RadialScale};
 use crate::files::{self, FileError};
 use crate::geom::sphere::SphereView;
+use crate::quote;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -190,17 +191,17 @@ impl Args {
                 let known = FORMATS.map(|format| format!(".{}", format.extension()));
                 return usage(format!(
                     "{}: the name does not say which format; expected one of {}",
-                    path.display(),
+                    quote::path(path),
                     known.join(", ")
                 ));
             };
             let place = files::place(path);
             if inputs.contains(&place) {
-                let path = path.display();
+                let path = quote::path(path);
                 return usage(format!("the output would replace an input: {path}"));
             }
             if places.contains(&place) {
-                let path = path.display();
+                let path = quote::path(path);
                 return usage(format!("the output is given twice; give it once: {path}"));
             }
             // Said now and not after the fits.

@@ -13,6 +13,7 @@ use crate::fit::{Problem, ProblemError, Weight};
 use crate::keys;
 use crate::measured::Table;
 use crate::measured::grid::THETA_H_BINS;
+use crate::quote::quoted;
 use std::ops::ControlFlow;
 
 /// Fit output that a panel of these subjects shows and cannot compute itself.
@@ -102,7 +103,8 @@ fn weight(key: &str) -> Result<Weight, ExportError> {
 fn unknown(what: &str, key: &str, expected: &str) -> ExportError {
     let proposal = keys::did_you_mean(key, expected.split(", "));
     ExportError::Other(format!(
-        "unknown {what} {key:?}; expected one of {expected}{proposal}"
+        "unknown {what} {}; expected one of {expected}{proposal}",
+        quoted(key)
     ))
 }
 

@@ -1,56 +1,140 @@
-//! A CSV of direction pairs: its columns found by name, its other columns kept.
+//! CSV files of direction pairs: their columns found by name, their other columns kept.
+//!
+//! The text is the only thing that is kept of a file: its rows are read from it a second time when they are used.
 
-use crate::files::FileError;
+use super::error::FileError;
+use crate::encoding::{WIDE, is_wide};
 use crate::geom::direction;
+use crate::quote::{quoted, shown};
 use csv::StringRecord;
 use glam::DVec3;
-use std::fs;
+use std::collections::HashSet;
+use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
 /// The columns that make a direction pair, in degrees.
 pub const ANGLES: [&str; 4] = ["theta_i", "phi_i", "theta_o", "phi_o"];
 
-/// A CSV of direction pairs.
+/// Bytes of a file at most, those of 20 million pairs.
+pub const MOST: u64 = 512 << 20;
+
+/// A turn: what is more is a slip, radians times something, or a mark for a missing value.
+const MAX_DEGREES: f64 = 360.0;
+
+/// A CSV of direction pairs in which every row is good.
+#[derive(Debug)]
 pub struct Directions {
+    text: String,
     /// Names of all columns.
     pub header: StringRecord,
-    /// All rows as they were written, with wi and wo.
-    pub rows: Vec<(StringRecord, DVec3, DVec3)>,
     /// The columns of [`ANGLES`].
     pub columns: [usize; 4],
 }
 
 /// Reads a file, or standard input for `-`. `added` are the columns that will be added: they must not be there yet.
+///
+/// # Errors
+/// Says in one line what is wrong, what was expected and, last, the path.
 pub fn read(path: &Path, added: &[&str]) -> Result<Directions, FileError> {
     let (path, bytes) = if path == Path::new("-") {
         let path = Path::new("standard input");
-        let mut bytes = Vec::new();
-        let read = io::stdin().lock().read_to_end(&mut bytes);
-        (path, read.map(|_| bytes))
+        (path, read_all(io::stdin().lock()))
     } else if path.is_dir() {
         return Err(FileError::new(
             path,
             "this is a directory; expected a CSV file",
         ));
     } else {
-        (path, fs::read(path))
+        (path, File::open(path).and_then(read_all))
     };
     let bytes = bytes.map_err(|error| FileError::io(path, "cannot read the file", &error))?;
-    let text = std::str::from_utf8(&bytes)
-        .map_err(|_| FileError::new(path, "not a CSV file: it is no UTF-8 text"))?;
-    parse(text.trim_start_matches('\u{feff}'), added).map_err(|what| FileError::new(path, what))
+    if bytes.len() as u64 > MOST {
+        let what = format!(
+            "the file is too large; CSV is read up to {} MiB; split it",
+            MOST >> 20
+        );
+        return Err(FileError::new(path, what));
+    }
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let what = if is_wide(error.as_bytes()) {
+            WIDE
+        } else {
+            "it is no UTF-8 text"
+        };
+        FileError::new(path, format!("not a CSV file: {what}"))
+    })?;
+    parse(text, added).map_err(|what| FileError::new(path, what))
 }
 
-/// A turn: what is more is a slip, radians times something, or a mark for a missing value.
-const MAX_DEGREES: f64 = 360.0;
+/// All bytes, or one more than are taken.
+fn read_all(reader: impl Read) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    reader.take(MOST + 1).read_to_end(&mut bytes)?;
+    bytes.shrink_to_fit();
+    Ok(bytes)
+}
 
-fn parse(text: &str, added: &[&str]) -> Result<Directions, String> {
-    let expected = ANGLES.join(",");
-    let mut reader = csv::ReaderBuilder::new()
+/// Checks a text and each of its rows.
+///
+/// # Errors
+/// Says in one sentence what is wrong, with the line.
+pub fn parse(text: String, added: &[&str]) -> Result<Directions, String> {
+    let mut reader = reader(&text);
+    let header = reader
+        .headers()
+        .map_err(|error| shown(&error.to_string()))?
+        .clone();
+    let columns = columns(&header, added)?;
+    let mut row = StringRecord::new();
+    while next(&mut reader, &mut row)? {
+        pair(&row, columns, header.len())
+            .map_err(|what| format!("line {}{what}", line_of(&text, &row)))?;
+    }
+    Ok(Directions {
+        text,
+        header,
+        columns,
+    })
+}
+
+impl Directions {
+    /// Calls `each` with all rows as they were written, each with wi and wo.
+    ///
+    /// # Errors
+    /// The first error of `each`.
+    pub fn for_each<E>(
+        &self,
+        mut each: impl FnMut(&StringRecord, DVec3, DVec3) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let mut reader = reader(&self.text);
+        let mut row = StringRecord::new();
+        // All rows were good when they were read first.
+        while let Ok(true) = next(&mut reader, &mut row) {
+            if let Ok([wi, wo]) = pair(&row, self.columns, self.header.len()) {
+                each(&row, wi, wo)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn reader(text: &str) -> csv::Reader<&[u8]> {
+    let text = text.trim_start_matches('\u{feff}');
+    csv::ReaderBuilder::new()
         .flexible(true)
-        .from_reader(text.as_bytes());
-    let header = reader.headers().map_err(|error| error.to_string())?.clone();
+        .from_reader(text.as_bytes())
+}
+
+fn next(reader: &mut csv::Reader<&[u8]>, row: &mut StringRecord) -> Result<bool, String> {
+    reader
+        .read_record(row)
+        .map_err(|error| shown(&error.to_string()))
+}
+
+/// The columns of [`ANGLES`], each there once.
+fn columns(header: &StringRecord, added: &[&str]) -> Result<[usize; 4], String> {
+    let expected = ANGLES.join(",");
     if header.is_empty() {
         return Err(format!(
             "the CSV file is empty; expected the columns {expected}"
@@ -83,60 +167,50 @@ fn parse(text: &str, added: &[&str]) -> Result<Directions, String> {
             title.trim()
         ));
     }
-    let titles: Vec<&str> = header.iter().map(str::trim).collect();
-    let twice =
-        (1..titles.len()).find(|k| !titles[*k].is_empty() && titles[..*k].contains(&titles[*k]));
-    if let Some(k) = twice {
-        return Err(format!("line 1: there are two columns {}", titles[k]));
+    let mut seen = HashSet::new();
+    let twice = header
+        .iter()
+        .map(str::trim)
+        .find(|title| !title.is_empty() && !seen.insert(*title));
+    match twice {
+        Some(title) => Err(format!("line 1: there are two columns {}", shown(title))),
+        None => Ok(columns),
     }
-    let mut rows = Vec::new();
-    for row in reader.records() {
-        let row = row.map_err(|error| error.to_string())?;
-        let line = || line_of(text, &row);
-        if row.len() != header.len() {
+}
+
+/// wi and wo of a row of `width` columns; or what is wrong with it, to be put behind its line.
+fn pair(row: &StringRecord, columns: [usize; 4], width: usize) -> Result<[DVec3; 2], String> {
+    if row.len() != width {
+        return Err(format!(
+            ": the row has {} columns; expected {width}",
+            row.len()
+        ));
+    }
+    let mut radians = [0.0; 4];
+    for ((radians, column), name) in radians.iter_mut().zip(columns).zip(ANGLES) {
+        let field = &row[column];
+        let number = field.trim().parse::<f64>().ok().filter(|x| x.is_finite());
+        let Some(degrees) = number else {
             return Err(format!(
-                "line {}: the row has {} columns; expected {}",
-                line(),
-                row.len(),
-                header.len()
+                ", column {name}: {} is no number; expected an angle in degrees",
+                quoted(field)
+            ));
+        };
+        if degrees.abs() > MAX_DEGREES {
+            return Err(format!(
+                ", column {name}: {} is out of range; expected −{MAX_DEGREES} to {MAX_DEGREES} degrees",
+                shown(field)
             ));
         }
-        let mut radians = [0.0; 4];
-        for ((radians, column), name) in radians.iter_mut().zip(columns).zip(ANGLES) {
-            let number = row[column]
-                .trim()
-                .parse::<f64>()
-                .ok()
-                .filter(|x| x.is_finite());
-            if number.is_some_and(|degrees| degrees.abs() > MAX_DEGREES) {
-                return Err(format!(
-                    "line {}, column {name}: {} is out of range; expected −{MAX_DEGREES} to {MAX_DEGREES} degrees",
-                    line(),
-                    &row[column]
-                ));
-            }
-            let Some(degrees) = number else {
-                return Err(format!(
-                    "line {}, column {name}: {:?} is no number; expected an angle in degrees",
-                    line(),
-                    &row[column]
-                ));
-            };
-            *radians = degrees.to_radians();
-        }
-        let [theta_i, phi_i, theta_o, phi_o] = radians;
-        let (wi, wo) = (direction(theta_i, phi_i), direction(theta_o, phi_o));
-        rows.push((row, wi, wo));
+        *radians = degrees.to_radians();
     }
-    Ok(Directions {
-        header,
-        rows,
-        columns,
-    })
+    let [theta_i, phi_i, theta_o, phi_o] = radians;
+    Ok([direction(theta_i, phi_i), direction(theta_o, phi_o)])
 }
 
 /// The line at which a row starts. The reader counts blank lines before a row to the row.
 fn line_of(text: &str, row: &StringRecord) -> usize {
+    let text = text.trim_start_matches('\u{feff}');
     let start = row
         .position()
         .map_or(0, |position| position.byte() as usize);
@@ -149,19 +223,25 @@ mod tests {
     use super::*;
 
     fn said(text: &str) -> String {
-        parse(text, &["r"]).err().unwrap_or_default()
+        parse(text.into(), &["r"]).err().unwrap_or_default()
     }
 
     #[test]
     fn columns_are_found_by_name() {
         let text = "name, phi_o ,theta_i,phi_i,theta_o\n\"a,b\",0,90,0,0\n\nc, 180 ,0,0,9e1\n";
-        let directions = parse(text, &["r"]).expect("is good");
+        let directions = parse(text.into(), &["r"]).expect("is good");
+        let mut rows = Vec::new();
+        let kept = directions.for_each(|row, wi, wo| {
+            rows.push((row.clone(), wi, wo));
+            Ok::<(), ()>(())
+        });
+        assert_eq!(kept, Ok(()));
         assert_eq!(directions.columns, [2, 3, 4, 1]);
-        assert_eq!(directions.rows.len(), 2);
-        let (row, wi, wo) = &directions.rows[0];
+        assert_eq!(rows.len(), 2);
+        let (row, wi, wo) = &rows[0];
         assert_eq!(&row[0], "a,b");
         assert!((*wi - DVec3::X).length() < 1e-15 && *wo == DVec3::Z);
-        assert!((directions.rows[1].2 + DVec3::X).length() < 1e-15);
+        assert!((rows[1].2 + DVec3::X).length() < 1e-15);
     }
 
     #[test]

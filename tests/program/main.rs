@@ -16,6 +16,7 @@ mod cli_figure;
 mod cli_fit;
 mod cli_render;
 mod fonts;
+mod hostile;
 mod odd_names;
 mod startup;
 mod views;

@@ -4,6 +4,7 @@ use crate::app::msg::Msg;
 use crate::app::msg::session::SessionMsg;
 use crate::app::state::State;
 use crate::app::state::session::{Crashed, Missing};
+use crate::quote::shown;
 use egui::{Align2, Id, Window};
 use std::time::Duration;
 
@@ -17,7 +18,7 @@ pub fn session_ui(ctx: &egui::Context, state: &State, out: &mut Vec<Msg>) {
         });
     } else if let Some(missing) = state.asked_for() {
         let material = state.materials.get(&missing.id);
-        let name = material.map_or("A material", |material| material.name.as_str());
+        let name = material.map_or("A material".into(), |material| shown(&material.name));
         window(ctx, &format!("{name} is not where it was"), |ui| {
             missing_ui(ui, state, missing, out);
         });
