@@ -12,7 +12,7 @@ use crate::app::state::fitting::kept::SortBy;
 use crate::app::state::fitting::settings::FitSettings;
 use crate::app::state::material::{MaterialId, Origin, Presence};
 use crate::app::state::notice::Severity;
-use crate::app::state::session::Crashed;
+use crate::app::state::session::{Crashed, DAMAGED};
 use crate::files;
 use crate::files::session::ENDING;
 use std::fs::File;
@@ -30,6 +30,13 @@ impl Crashed {
     pub fn remove(&self) {
         // One that is gone is as it should be; one that stays is offered again.
         let _ = fs::remove_file(&self.file);
+        let _ = fs::remove_file(&self.lock);
+    }
+
+    /// Puts a damaged file where it is not offered again, and removes the lock.
+    pub fn set_aside(&self) {
+        // One that cannot be moved is offered again.
+        let _ = fs::rename(&self.file, set_aside(&self.file));
         let _ = fs::remove_file(&self.lock);
     }
 
@@ -182,6 +189,11 @@ fn remove_restored(files: &[PathBuf]) {
         }
         .remove();
     }
+}
+
+/// The place of a file that was offered and is damaged.
+fn set_aside(file: &Path) -> PathBuf {
+    file.with_extension(DAMAGED)
 }
 
 /// The lock beside an autosaved file.

@@ -64,6 +64,11 @@ pub fn start(task: SessionTask, jobs: &Jobs, picker: &Picker) {
                 crashed.remove();
             }));
         }
+        SessionTask::SetAside(crashed) => {
+            jobs.start(Work::new("keeping what is damaged", move |_| {
+                crashed.set_aside();
+            }));
+        }
     }
 }
 

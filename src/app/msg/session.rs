@@ -47,4 +47,6 @@ pub enum SessionTask {
     Locate(Vec<(MaterialId, PathBuf)>),
     /// Remove what a run has left.
     Remove(Crashed),
+    /// Put what a run has left and is damaged where it is not offered again.
+    SetAside(Crashed),
 }
