@@ -1,8 +1,17 @@
-//! Names of materials where several have the same one: with the folders in which their files lie.
+//! Names of materials where several have the same one, with the folders in which their files lie; and as parts of the names
+//! of files.
 
 use super::folder::shown_name;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::{Path, PathBuf};
+
+/// Bytes of a name in the name of a file: a file system takes 255, and there are other words.
+const MOST_BYTES: usize = 120;
+
+/// The beginning of a name, as long as the name of a file has room for.
+pub fn short(name: &str) -> &str {
+    &name[..name.floor_char_boundary(MOST_BYTES)]
+}
 
 /// Names that differ where the files do: a name that several have gets as many of the last folders of its path before it
 /// as tell it from the others, or the whole file name where the folders are the same. What has no path keeps its name.

@@ -10,6 +10,7 @@ use crate::app::state::notice::Severity;
 use crate::files::fits::MaterialFits;
 use crate::files::{FileError, SourceFile};
 use crate::quote::shown;
+use std::collections::BTreeSet;
 use std::path::Path;
 
 /// Takes the models of the file `path`: over the material where that is open; else over its measured file, which is
@@ -78,18 +79,17 @@ type Belongs = fn(&MaterialFits, &Material) -> bool;
 fn with_open(state: &State, all: Vec<MaterialFits>) -> Vec<(MaterialFits, Option<usize>)> {
     let mut all: Vec<(MaterialFits, Option<usize>)> =
         all.into_iter().map(|fits| (fits, None)).collect();
+    let mut taken = BTreeSet::new();
     // By every path first, so that none is taken by a material that only looks like it.
     for belongs in [same_path as Belongs, same_data, same_name] {
-        for at in 0..all.len() {
-            let taken = |index| all.iter().any(|(_, open)| *open == Some(index));
-            let fits = &all[at].0;
+        for (fits, place) in all.iter_mut().filter(|(_, place)| place.is_none()) {
             let mut open = state.scene.opened.iter().enumerate();
             let found = open.find(|(index, opened)| {
                 let material = state.materials.get(&opened.id);
-                !taken(*index) && material.is_some_and(|material| belongs(fits, material))
+                !taken.contains(index) && material.is_some_and(|material| belongs(fits, material))
             });
-            let found = found.map(|(index, _)| index);
-            all[at].1 = all[at].1.or(found);
+            *place = found.map(|(index, _)| index);
+            taken.extend(*place);
         }
     }
     all

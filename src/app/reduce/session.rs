@@ -6,6 +6,7 @@ use crate::app::reduce::open_session;
 use crate::app::session::file::SessionFile;
 use crate::app::state::State;
 use crate::app::state::material::{MaterialId, Presence};
+use crate::files::names::short;
 use crate::files::session;
 use crate::files::session::ENDING;
 
@@ -45,7 +46,7 @@ pub(crate) fn save(state: &State, ask: bool) -> Vec<Task> {
             .map_or("session".into(), |(material, _)| material.name.clone()),
     };
     // What no file system takes.
-    let name = name.replace(['/', '\\', ':'], "-");
+    let name = short(&name).replace(['/', '\\', ':'], "-");
     vec![Task::Session(SessionTask::Save {
         number,
         session: Box::new(SessionFile::of(state)),
