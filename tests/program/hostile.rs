@@ -39,7 +39,7 @@ fn short(text: &str) {
 #[track_caller]
 fn refused(output: &Output, code: i32) -> String {
     let said = stderr(output);
-    assert_eq!(output.status.code(), Some(code), "{:.300}", said);
+    assert_eq!(output.status.code(), Some(code), "{said:.300}");
     assert_eq!(stdout(output), "");
     short(&said);
     said
