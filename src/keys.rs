@@ -1,16 +1,18 @@
 //! Names of enum variants in files and on the command line: serde's names are the only ones, and `key()` and `by_key()`
 //! of an enum are derived from them here.
 
+use crate::quote::said;
 use serde::Deserialize;
 use serde::de::value::{Error, StrDeserializer};
 use serde::de::{Deserializer, Error as _, IntoDeserializer, Visitor};
 use serde::forward_to_deserialize_any;
 use std::fmt;
 
-/// The names that serde gives the variants of an enum, in the order of their declaration; none for another type.
+/// The names that serde gives the variants of an enum, or the keys of a struct, in the order of their declaration; none for
+/// another type.
 pub fn names<T: Deserialize<'static>>() -> &'static [&'static str] {
     let mut names: &'static [&'static str] = &[];
-    // It ends in an error when it has the names; a type that is no enum has none.
+    // It ends in an error when it has the names; a type that is neither has none.
     let _ = T::deserialize(Names(&mut names));
     names
 }
@@ -30,13 +32,21 @@ pub fn by_key<'a, T: Deserialize<'a>>(key: &'a str) -> Option<T> {
 /// and underscores may be left out: it takes little account of a letter more in a short word.
 const ALIKE: f64 = 0.8;
 
+/// Bytes of the longest word that is compared with others.
+const LONGEST: usize = 64;
+
 /// The known word that is most like an unknown one; `None` where none is.
 pub fn nearest<'k>(unknown: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
+    // A slip is no longer than the word that was meant, and comparing takes time with both lengths.
+    if unknown.len() > LONGEST {
+        return None;
+    }
     let bare = |word: &str| word.to_lowercase().replace(['-', '_', ' '], "");
     let whole = |known: &str| strsim::jaro_winkler(&unknown.to_lowercase(), &known.to_lowercase());
     let alike = |known: &str| strsim::jaro_winkler(&bare(unknown), &bare(known)).max(whole(known));
     known
         .into_iter()
+        .filter(|known| known.len() <= LONGEST)
         .map(|known| (alike(known), known))
         .filter(|(alike, _)| *alike >= ALIKE)
         // The first of equals, so that the same word is proposed each time.
@@ -51,7 +61,7 @@ pub fn did_you_mean<'k>(unknown: &str, known: impl IntoIterator<Item = &'k str>)
 
 /// What serde says, with the key or word that may be meant where it says that one is unknown and what it expected.
 pub fn with_proposal(error: &impl fmt::Display) -> String {
-    let said = error.to_string();
+    let said = said(error);
     let mut quoted = said.split('`').skip(1).step_by(2);
     let unknown = ["unknown field `", "unknown variant `"];
     let proposal = match quoted.next() {
@@ -63,7 +73,7 @@ pub fn with_proposal(error: &impl fmt::Display) -> String {
     said + &proposal
 }
 
-/// Takes the names of an enum's variants instead of a value.
+/// Takes the names of an enum's variants or of a struct's keys instead of a value.
 struct Names<'n>(&'n mut &'static [&'static str]);
 
 impl<'de> Deserializer<'de> for Names<'_> {
@@ -79,13 +89,23 @@ impl<'de> Deserializer<'de> for Names<'_> {
         Err(Error::custom(""))
     }
 
+    fn deserialize_struct<V: Visitor<'de>>(
+        self,
+        _name: &'static str,
+        fields: &'static [&'static str],
+        _visitor: V,
+    ) -> Result<V::Value, Error> {
+        *self.0 = fields;
+        Err(Error::custom(""))
+    }
+
     fn deserialize_any<V: Visitor<'de>>(self, _visitor: V) -> Result<V::Value, Error> {
         Err(Error::custom(""))
     }
 
     forward_to_deserialize_any! {
         bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf option unit unit_struct
-        newtype_struct seq tuple tuple_struct map struct identifier ignored_any
+        newtype_struct seq tuple tuple_struct map identifier ignored_any
     }
 }
 
@@ -206,7 +226,16 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_enum_has_no_names() {
+    fn what_is_neither_enum_nor_struct_has_no_names() {
+        #[derive(Deserialize)]
+        struct Pair {
+            #[allow(dead_code)]
+            one: f64,
+            #[serde(rename = "zwei")]
+            #[allow(dead_code)]
+            two: Option<f64>,
+        }
+        assert_eq!(names::<Pair>(), ["one", "zwei"]);
         assert!(names::<f64>().is_empty());
         assert_eq!(key_at::<Fresnel>(3), "");
     }

@@ -4,7 +4,10 @@
 //!
 //! | module | what it is | knows nothing of |
 //! |---|---|---|
+//! | `encoding` | text that is no UTF-8 | the other modules |
 //! | `keys` | names of enum variants, as serde has them | the other modules |
+//! | `json` | JSON of others in bounded memory | the other modules but `quote` |
+//! | `quote` | text of others in messages | the other modules |
 //! | [`geom`] | directions, half/difference angles, colour, the lit sphere | egui, wgpu, files, threads, the clock |
 //! | [`brdf`] | models and their parameters, as rows; WGSL twins; code for other programs | the same |
 //! | [`measured`] | tables on the MERL grid, lookup, layout, synthetic samples | egui, wgpu, files, the clock; may use rayon |
@@ -30,12 +33,15 @@
 pub mod app;
 pub mod brdf;
 pub mod cli;
+mod encoding;
 pub mod export;
 pub mod figure;
 pub mod files;
 pub mod fit;
 pub mod geom;
 pub mod gpu;
+mod json;
 mod keys;
 pub mod measured;
+mod quote;
 mod signals;

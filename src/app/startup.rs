@@ -48,6 +48,7 @@ pub fn run_watched(
     opened: impl Fn(&eframe::CreationContext<'_>),
 ) -> Result<(), String> {
     catch_missing_libraries();
+    adapter::check_environment()?;
     let own_folder = eframe::storage_dir(NAME);
     let mut start = Start {
         files,

@@ -7,9 +7,11 @@ use super::fresnel::{FRESNELS, Fresnel};
 use super::model::{Brdf, Model};
 use super::models::MODELS;
 use super::params::Params;
+use crate::json;
 use crate::keys::{did_you_mean, nearest};
+use crate::quote::{quoted, shown};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use serde_json::{Map, Value, json};
+use serde_json::{Map, Value};
 
 /// Error of a JSON value that is no BRDF: one sentence.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -41,7 +43,8 @@ pub fn from_value(value: &Value) -> Result<Brdf, BrdfJsonError> {
     let Some(model) = Model::by_key(model_key) else {
         let known = || MODELS.iter().map(|m| m.key);
         return fail(format!(
-            "unknown model \"{model_key}\"; expected one of {}{}",
+            "unknown model {}; expected one of {}{}",
+            quoted(model_key),
             keys(known()),
             did_you_mean(model_key, known())
         ));
@@ -53,7 +56,8 @@ pub fn from_value(value: &Value) -> Result<Brdf, BrdfJsonError> {
             None => {
                 let known = || FRESNELS.iter().map(|f| f.key());
                 return fail(format!(
-                    "unknown \"fresnel\" {value}; expected one of {}{}",
+                    "unknown \"fresnel\" {}; expected one of {}{}",
+                    shown(&value.to_string()),
                     keys(known()),
                     did_you_mean(value.as_str().unwrap_or_default(), known())
                 ));
@@ -78,9 +82,12 @@ pub fn from_value(value: &Value) -> Result<Brdf, BrdfJsonError> {
         };
         let found = match object.get(row.key) {
             None | Some(Value::Null) => {
-                let meant = nearest(row.key, object.keys().map(String::as_str).filter(not_known));
+                let meant = nearest(
+                    row.key,
+                    object.keys().map(String::as_str).filter(|key| !is_key(key)),
+                );
                 let found = meant.map_or_else(String::new, |key| {
-                    format!("; there is \"{key}\": did you mean `{}`?", row.key)
+                    format!("; there is {}: did you mean `{}`?", quoted(key), row.key)
                 });
                 return fail(format!(
                     "\"{}\" ({}) is missing; expected {expected}{found}",
@@ -97,14 +104,16 @@ pub fn from_value(value: &Value) -> Result<Brdf, BrdfJsonError> {
             _ => None,
         };
         let Some(numbers) = numbers.filter(|numbers| numbers.len() == values.len()) else {
+            let found = shown(&found.to_string());
             return fail(format!("\"{}\" must be {expected}, found {found}", row.key));
         };
         for (to, from) in values.iter_mut().zip(numbers) {
             if !row.accepts(from) {
                 let (low, high) = row.domain;
                 return fail(format!(
-                    "\"{}\" = {from} is out of range; expected {low} to {high}",
-                    row.key
+                    "\"{}\" = {} is out of range; expected {low} to {high}",
+                    row.key,
+                    shown(&from.to_string())
                 ));
             }
             *to = from;
@@ -116,13 +125,13 @@ pub fn from_value(value: &Value) -> Result<Brdf, BrdfJsonError> {
 /// JSON object of a BRDF; parameters that do not count are null.
 pub fn to_value(brdf: &Brdf) -> Value {
     let mut object = Map::new();
-    object.insert("model".into(), json!(brdf.model.key));
-    object.insert("fresnel".into(), json!(brdf.fresnel.key()));
+    object.insert("model".into(), brdf.model.key.into());
+    object.insert("fresnel".into(), brdf.fresnel.key().into());
     for row in &super::params::ALL {
         let value = match brdf.params.get(row.id) {
             _ if !brdf.uses(row.id) => Value::Null,
-            [one] => json!(one),
-            many => json!(many),
+            [one] => (*one).into(),
+            many => many.into(),
         };
         object.insert(row.key.into(), value);
     }
@@ -139,7 +148,7 @@ impl Serialize for Brdf {
 impl<'de> Deserialize<'de> for Brdf {
     /// Deserializes as [`from_value`].
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let value = Value::deserialize(deserializer)?;
+        let value = json::bounded(deserializer, json::MOST_OF_MODEL)?;
         from_value(&value).map_err(serde::de::Error::custom)
     }
 }
@@ -149,28 +158,33 @@ impl<'de> Deserialize<'de> for Brdf {
 /// # Errors
 /// Invalid JSON, an index past the end, and the errors of [`from_value`].
 pub fn from_text(text: &str, index: usize) -> Result<Brdf, BrdfJsonError> {
-    let value: Value = serde_json::from_str(text)
-        .map_err(|error| BrdfJsonError(format!("not valid JSON: {error}")))?;
-    match &value {
-        Value::Array(items) => match items.get(index) {
-            Some(item) => from_value(item),
-            None if items.is_empty() => Err(BrdfJsonError("the array of models is empty".into())),
-            None => Err(BrdfJsonError(format!(
-                "there is no entry {index}; the array has {}, counted from 0",
-                items.len()
-            ))),
-        },
-        _ if index > 0 => Err(BrdfJsonError(format!(
+    let (mut found, mut count) = (None, None);
+    json::entries(text, &is_key, &mut |at, value| {
+        count = at.map(|at| at + 1);
+        if at.unwrap_or(0) == index {
+            found = Some(value);
+        }
+        Ok(())
+    })
+    .map_err(BrdfJsonError)?;
+    match (found, count) {
+        (Some(value), _) => from_value(&value),
+        (None, Some(count)) => Err(BrdfJsonError(format!(
+            "there is no entry {index}; the array has {count}, counted from 0"
+        ))),
+        (None, None) if text.trim_start().starts_with('[') => {
+            Err(BrdfJsonError("the array of models is empty".into()))
+        }
+        (None, None) => Err(BrdfJsonError(format!(
             "there is no entry {index}; the file holds a single model, entry 0"
         ))),
-        _ => from_value(&value),
     }
 }
 
-/// Whether a key means nothing to a model.
-fn not_known(key: &&str) -> bool {
+/// Whether a key of an object is read as a part of a model.
+pub fn is_key(key: &str) -> bool {
     let mut rows = super::params::ALL.iter();
-    !["model", "fresnel"].contains(key) && !rows.any(|row| row.key == *key)
+    ["model", "fresnel"].contains(&key) || rows.any(|row| row.key == key)
 }
 
 /// Rejects keys that differ from a known one only in capitals, dashes, underscores or spaces, `Fresnel`, `k-s`, and those a
@@ -185,7 +199,8 @@ fn reject_misspelt_keys(object: &Map<String, Value>) -> Result<(), BrdfJsonError
         };
         if let Some(key) = object.keys().find(meant) {
             return Err(BrdfJsonError(format!(
-                "unknown key \"{key}\"; expected \"{known}\""
+                "unknown key {}; expected \"{known}\"",
+                quoted(key)
             )));
         }
     }

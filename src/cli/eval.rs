@@ -1,12 +1,14 @@
 //! `grazing eval SOURCE --directions FILE.csv`: f_r at given directions.
 
-use super::{CliError, csv_table};
+use super::CliError;
+use crate::files::directions::{self, Directions};
 use crate::files::{self, write_atomically};
 use crate::geom::Rgb;
 use crate::measured::Lookup;
 use crate::measured::lookup::LOOKUPS;
 use clap::builder::PossibleValuesParser;
 use clap::builder::TypedValueParser as _;
+use glam::DVec3;
 use std::io::{self, Write};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -49,19 +51,15 @@ pub(super) fn lookup_parser() -> impl clap::builder::TypedValueParser<Value = Lo
 pub fn run(args: &Args, out: &mut dyn Write) -> Result<(), CliError> {
     let output = args.output.as_deref();
     super::spare_inputs("eval", output, &[&args.source, &args.directions])?;
-    // Everything is read before anything is written: a bad row leaves no half output.
-    let directions = csv_table::read(&args.directions, &ADDED)?;
+    // Everything is checked before anything is written: a bad row leaves no half output.
+    let directions = directions::read(&args.directions, &ADDED)?;
     let source = files::open_source(&args.source, args.index, &mut |_| ControlFlow::Continue(()))?;
-    let values: Vec<Option<Rgb>> = directions
-        .rows
-        .iter()
-        .map(|(_, wi, wo)| source.eval(*wi, *wo, args.lookup))
-        .collect();
+    let value = |wi, wo| source.eval(wi, wo, args.lookup);
     let print = |out: &mut dyn Write| {
         if args.json {
-            write_json(&directions, &values, out)
+            write_json(&directions, &value, out)
         } else {
-            write_csv(&directions, &values, out)
+            write_csv(&directions, &value, out)
         }
     };
     match &args.output {
@@ -72,23 +70,23 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<(), CliError> {
 }
 
 fn write_csv(
-    directions: &csv_table::Directions,
-    values: &[Option<Rgb>],
+    directions: &Directions,
+    value: &dyn Fn(DVec3, DVec3) -> Option<Rgb>,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(out);
     writer
         .write_record(directions.header.iter().chain(ADDED))
         .map_err(io_error)?;
-    for ((row, ..), value) in directions.rows.iter().zip(values) {
-        let added = match value {
+    directions.for_each(|row, wi, wo| {
+        let added = match value(wi, wo) {
             Some(f_r) => f_r.map(shortest),
             None => [const { String::new() }; 3],
         };
         writer
             .write_record(row.iter().chain(added.iter().map(String::as_str)))
-            .map_err(io_error)?;
-    }
+            .map_err(io_error)
+    })?;
     writer.flush()
 }
 
@@ -102,14 +100,16 @@ fn io_error(error: csv::Error) -> io::Error {
 
 /// An array of objects: the angles and f_r as numbers, r, g, b null where empty, other columns as texts.
 fn write_json(
-    directions: &csv_table::Directions,
-    values: &[Option<Rgb>],
+    directions: &Directions,
+    value: &dyn Fn(DVec3, DVec3) -> Option<Rgb>,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let text = |text: &str| serde_json::Value::from(text).to_string();
     write!(out, "[")?;
-    for (k, ((row, ..), value)) in directions.rows.iter().zip(values).enumerate() {
-        out.write_all(if k == 0 { b"\n  {" } else { b",\n  {" })?;
+    let mut comma = "";
+    directions.for_each(|row, wi, wo| {
+        write!(out, "{comma}\n  {{")?;
+        comma = ",";
         for (column, (title, field)) in directions.header.iter().zip(row).enumerate() {
             let angle = directions.columns.contains(&column);
             match field.trim().parse::<f64>() {
@@ -119,13 +119,14 @@ fn write_json(
                 _ => write!(out, "{}: {}, ", text(title), text(field))?,
             }
         }
+        let value = value(wi, wo);
         for (channel, name) in ADDED.into_iter().enumerate() {
             let value = value.map_or("null".into(), |f_r| shortest(f_r[channel]));
             let comma = if channel == 0 { "" } else { ", " };
             write!(out, "{comma}\"{name}\": {value}")?;
         }
-        write!(out, "}}")?;
-    }
+        write!(out, "}}")
+    })?;
     writeln!(out, "\n]")
 }
 

@@ -16,6 +16,7 @@ use crate::figure::scale::{RADIAL_SCALES, RadialScale};
 use crate::figure::write::raster::MOST_PIXELS;
 use crate::files::{self, FileError};
 use crate::geom::sphere::SphereView;
+use crate::quote;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -212,14 +213,14 @@ impl Args {
                 let known = FORMATS.map(|format| format!(".{}", format.extension()));
                 return usage(format!(
                     "{}: the name does not say which format; expected one of {}",
-                    path.display(),
+                    quote::path(path),
                     known.join(", ")
                 ));
             };
             let place = files::place(path);
             super::spare_inputs("figure", [path.as_path()], &inputs)?;
             if places.contains(&place) {
-                let path = path.display();
+                let path = quote::path(path);
                 return usage(format!("the output is given twice; give it once: {path}"));
             }
             // Said now and not after the fits.

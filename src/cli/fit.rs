@@ -13,8 +13,10 @@ use crate::fit::{FitOptions, Partial, Problem, StageSet, Variant, WEIGHTS, Weigh
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser as _};
 use progress::Bar;
 use std::io::{self, IsTerminal as _, Write};
+use std::num::NonZero;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
+use std::thread;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -81,7 +83,8 @@ pub struct Args {
     /// Replace output files that exist
     #[arg(long)]
     force: bool,
-    /// How many threads; as many as the machine has where not given. The result does not depend on it
+    /// How many threads; as many as the machine has cores where not given, and at most that many. The result does not
+    /// depend on it
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 }
@@ -108,7 +111,7 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<(), CliError> {
     let (fits, all_good) = match args.threads {
         None => fit(),
         Some(threads) => rayon::ThreadPoolBuilder::new()
-            .num_threads(threads.into())
+            .num_threads(pool_size(threads))
             .build()
             .map_err(|error| CliError::Other(format!("cannot start {threads} threads: {error}")))?
             .install(fit),
@@ -138,6 +141,14 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<(), CliError> {
         out.flush()?;
         Err(CliError::Reported)
     }
+}
+
+/// Number of threads that are started where `asked` are asked for: more than there are cores only wait for each other,
+/// fifty times as long where there are a thousand.
+fn pool_size(asked: u16) -> usize {
+    // Where the number of cores is not known, what is asked for is taken.
+    let cores = thread::available_parallelism().map_or(asked.into(), NonZero::get);
+    cores.min(asked.into())
 }
 
 /// A fit in the table that is shown to a person.
@@ -255,4 +266,19 @@ fn fit_file(
         )
     };
     Ok(outcomes.iter().map(record).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_more_threads_are_started_than_there_are_cores() {
+        let cores = pool_size(u16::MAX);
+        assert_eq!(
+            Some(cores),
+            thread::available_parallelism().ok().map(NonZero::get)
+        );
+        assert_eq!((pool_size(1), pool_size(1024)), (1, cores.min(1024)));
+    }
 }

@@ -3,7 +3,6 @@
 //! Exit code 0: done. 1: failed, with one line on standard error. 2: the command line itself is wrong, or the spec of a figure
 //! that it names.
 
-mod csv_table;
 mod eval;
 mod export;
 mod figure;
@@ -16,8 +15,10 @@ mod table;
 use crate::app;
 use crate::files::{self, FileError};
 use crate::gpu;
+use crate::quote;
+use crate::quote::shown;
 use crate::signals;
-use clap::error::ErrorKind as UsageError;
+use clap::error::{ContextKind, ContextValue, ErrorKind as UsageError};
 use clap::{CommandFactory as _, Parser, Subcommand};
 use std::fmt::Display;
 use std::io::{self, ErrorKind, Write};
@@ -35,7 +36,8 @@ struct Cli {
     files: Vec<PathBuf>,
     /// Print the graphics adapter that the window would use: name, driver, backend, type
     ///
-    /// No display is needed. The variable WGPU_ADAPTER_NAME asks for another one by a part of its name.
+    /// No display is needed. The variable WGPU_ADAPTER_NAME asks for another one by a part of its name, WGPU_BACKEND for one of
+    /// the interface vulkan, gl, metal or dx12.
     #[arg(long, exclusive = true)]
     adapter: bool,
     #[command(subcommand)]
@@ -81,7 +83,7 @@ pub fn command() -> clap::Command {
 /// The program: reads the command line, works, returns the exit code.
 pub fn main() -> ExitCode {
     // Usage errors, --help and --version end here, with 2 or 0.
-    let cli = Cli::parse();
+    let cli = Cli::try_parse().unwrap_or_else(|error| bounded(error).exit());
     if cli.command.is_some() {
         signals::watch(|| {});
     }
@@ -103,8 +105,35 @@ pub fn main() -> ExitCode {
     finish(result.and_then(|()| Ok(out.flush()?)))
 }
 
+/// Error of the command line that quotes no more of it than other messages do.
+fn bounded(mut error: clap::Error) -> clap::Error {
+    let quoted: Vec<_> = error
+        .context()
+        .filter_map(|(kind, value)| {
+            let value = match value {
+                ContextValue::String(text) => ContextValue::String(shown(text)),
+                ContextValue::Strings(texts) => {
+                    ContextValue::Strings(texts.iter().map(|text| shown(text)).collect())
+                }
+                _ => return None,
+            };
+            Some((kind, value))
+        })
+        .collect();
+    for (kind, value) in quoted {
+        error.insert(kind, value);
+    }
+    // The tip repeats the argument, as text with colours.
+    let tips = error.get(ContextKind::Suggested).map(ToString::to_string);
+    if tips.is_some_and(|tips| shown(&tips) != tips) {
+        error.remove(ContextKind::Suggested);
+    }
+    error
+}
+
 /// `grazing --adapter`.
 fn adapter(out: &mut dyn Write) -> Result<(), CliError> {
+    gpu::adapter::check_environment().map_err(CliError::Other)?;
     let gpu = gpu::adapter::headless().map_err(|error| {
         CliError::Other(format!(
             "{error}; install a driver: {}",
@@ -153,7 +182,7 @@ fn spare_inputs<'p>(
     match outputs.into_iter().find(is_input) {
         None => Ok(()),
         Some(path) => {
-            let path = path.display();
+            let path = quote::path(path);
             let text = format!("the output would replace an input; choose another name: {path}");
             Err(CliError::Usage(command, text))
         }

@@ -4,6 +4,7 @@ use super::CliError;
 use crate::files::write_atomically;
 use crate::keys;
 use crate::measured::{SAMPLES, SyntheticMaterial, merl};
+use crate::quote::quoted;
 use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
@@ -37,7 +38,8 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<(), CliError> {
         let proposal = keys::did_you_mean(name, known.iter().copied());
         let known = known.join(", ");
         return Err(CliError::Other(format!(
-            "unknown sample {name:?}; expected one of {known}{proposal}"
+            "unknown sample {}; expected one of {known}{proposal}",
+            quoted(name)
         )));
     };
     let table = sample.synthesize();

@@ -1,5 +1,6 @@
 //! Tables on the terminal: columns that align, numbers at their decimal points.
 
+use crate::quote::within;
 use std::io::{self, Write};
 use unicode_width::UnicodeWidthStr as _;
 
@@ -37,7 +38,10 @@ pub fn write(columns: Vec<(&str, Column)>, out: &mut dyn Write) -> io::Result<()
 /// Head and cells of a column, all as wide.
 fn aligned((head, column): (&str, Column)) -> Vec<String> {
     let (cells, right) = match column {
-        Column::Text(cells) => (cells.iter().map(|cell| cut(cell)).collect(), false),
+        Column::Text(cells) => (
+            cells.iter().map(|cell| within(cell, WIDEST)).collect(),
+            false,
+        ),
         Column::Numbers(cells) => (at_points(&cells), true),
     };
     let all: Vec<String> = std::iter::once(head.to_owned()).chain(cells).collect();
@@ -63,30 +67,6 @@ fn at_points(cells: &[Option<String>]) -> Vec<String> {
         format!("{text}{}", " ".repeat(most - behind(cell)))
     };
     cells.iter().map(place).collect()
-}
-
-/// A text of bounded width: the middle of a longer one is left out, as names differ at both ends.
-fn cut(text: &str) -> String {
-    if text.width() <= WIDEST {
-        return text.to_owned();
-    }
-    let half = (WIDEST - 1) / 2;
-    let end: Vec<char> = taken(text.chars().rev(), half);
-    let begin = taken(text.chars(), WIDEST - 1 - half);
-    let begin: String = begin.into_iter().collect();
-    let end: String = end.into_iter().rev().collect();
-    format!("{begin}…{end}")
-}
-
-/// As many characters as fit into a width.
-fn taken(characters: impl Iterator<Item = char>, width: usize) -> Vec<char> {
-    let mut used = 0;
-    characters
-        .take_while(|character| {
-            used += character.to_string().width();
-            used <= width
-        })
-        .collect()
 }
 
 #[cfg(test)]
@@ -131,6 +111,6 @@ mod tests {
             assert!(found.contains('…'), "{found}");
         }
         let just = "x".repeat(WIDEST);
-        assert_eq!(cut(&just), just);
+        assert_eq!(within(&just, WIDEST), just);
     }
 }

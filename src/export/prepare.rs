@@ -13,6 +13,7 @@ use crate::files::fits::SourceFile;
 use crate::files::{self, FileError};
 use crate::keys;
 use crate::measured::{Lookup, SAMPLES, SyntheticMaterial, Table};
+use crate::quote::{quoted, shown};
 use std::collections::BTreeMap;
 use std::io;
 use std::ops::ControlFlow;
@@ -99,7 +100,8 @@ fn subject_of(
         SubjectSource::Model(brdf) => (Source::Model(*brdf), Look::Model),
     };
     Ok(Subject {
-        label: spec.label.clone(),
+        // A table of numbers has it in every row.
+        label: shown(&spec.label),
         look: spec.look.map_or(look, SubjectLook::look),
         series: spec.series,
         hidden: false,
@@ -150,7 +152,8 @@ pub fn open_from_files(
             let sample = SyntheticMaterial::by_key(key).ok_or_else(|| {
                 let proposal = keys::did_you_mean(key, SAMPLES.iter().map(|sample| sample.key));
                 ExportError::Other(format!(
-                    "unknown sample {key:?}; `grazing sample --list` shows them{proposal}"
+                    "unknown sample {}; `grazing sample --list` shows them{proposal}",
+                    quoted(key)
                 ))
             })?;
             let table = Arc::new(sample.synthesize());

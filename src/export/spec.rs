@@ -9,8 +9,10 @@ use crate::figure::page::{self, PageSpec, RowSpec, Style};
 use crate::figure::subject::Look;
 use crate::files::fits::SourceFile;
 use crate::files::{self, FileError};
+use crate::json;
 use crate::keys;
 use crate::measured::{Lookup, SAMPLES, SyntheticMaterial};
+use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
 use serde_path_to_error::Segment;
 use std::path::{Path, PathBuf};
@@ -134,9 +136,8 @@ impl FigureSpec {
     /// # Errors
     /// One sentence that says where the text is no figure.
     pub fn from_json(text: &str) -> Result<Self, String> {
-        let value: serde_json::Value =
-            serde_json::from_str(text).map_err(|error| format!("not valid JSON: {error}"))?;
-        if value.get("rows").is_none() {
+        if json::has_keys(text, ["rows"]) == [false] {
+            serde_json::from_str::<IgnoredAny>(text).map_err(|error| json::problem(&error))?;
             return Err("this is no figure: \"rows\" is missing; expected a .figure.json that Grazing has written".into());
         }
         // From the text again: an error in it says line and column.

@@ -4,6 +4,7 @@
 //! those that it changed here. The window takes the values; a figure's spec and the command line are refused with the names.
 
 use crate::geom::degrees::rounded;
+use crate::quote;
 use std::fmt::Display;
 
 /// Most angles of incidence of one panel: one for each degree.
@@ -35,8 +36,9 @@ impl Faults {
         let mut place = self.place.clone();
         place.push(key.to_owned());
         self.found.push(format!(
-            "{} is {value}; expected {expected}",
-            place.join(".")
+            "{} is {}; expected {expected}",
+            place.join("."),
+            quote::shown(&value.to_string())
         ));
     }
 

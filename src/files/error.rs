@@ -1,11 +1,13 @@
 //! Errors of files.
 
 use crate::measured::merl::MerlError;
+use crate::quote;
 use std::fmt;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-/// Error of a file. Shown as one line with the path last.
+/// Error of a file. Shown as one line with the path last. What it quotes is bounded where it is quoted, by
+/// `crate::quote`.
 #[derive(Debug)]
 pub struct FileError {
     path: PathBuf,
@@ -55,7 +57,7 @@ impl FileError {
 
     /// Reason in one line, without the path.
     pub fn reason(&self) -> String {
-        one_line(&self.what)
+        quote::one_line(&self.what)
     }
 
     /// Whether reading was cancelled by `progress`, which is no error to show.
@@ -66,22 +68,8 @@ impl FileError {
 
 impl fmt::Display for FileError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let text = format!("{}: {}", self.what, self.path.display());
-        f.write_str(&one_line(&text))
+        write!(f, "{}: {}", self.reason(), quote::path(&self.path))
     }
-}
-
-/// Text in one line: control characters, which names and contents of files may hold, are escaped.
-pub(super) fn one_line(text: &str) -> String {
-    let mut line = String::with_capacity(text.len());
-    for c in text.chars() {
-        if c.is_control() {
-            line.extend(c.escape_default());
-        } else {
-            line.push(c);
-        }
-    }
-    line
 }
 
 impl std::error::Error for FileError {}

@@ -1,11 +1,13 @@
 //! Listing of a folder: names at once, and the kind of each file without reading all of it.
 
-use super::error::{FileError, one_line};
+use super::error::FileError;
 use super::fits::{self, MaterialFits};
-use super::open::{json_text, open};
-use super::session;
+use super::json_file;
+use super::open::{JsonKind, open};
 use crate::measured::merl;
+use crate::quote;
 use std::cmp::Ordering;
+use std::fs::File;
 use std::iter::Peekable;
 use std::path::{Path, PathBuf};
 use std::str::Chars;
@@ -17,6 +19,8 @@ pub enum FileContent {
     Measured,
     /// JSON file with models, grouped by material.
     Models(Vec<MaterialFits>),
+    /// JSON file with models that is too large to be read when its folder is listed.
+    ManyModels,
 }
 
 /// Files and folders in a folder, hidden ones left out, sorted by [`natural_order`].
@@ -41,26 +45,54 @@ pub fn list(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
 /// Name of a file on screen: one line, with control characters escaped.
 pub fn shown_name(path: &Path) -> String {
     let name = path.file_name().unwrap_or(path.as_os_str());
-    one_line(&name.to_string_lossy())
+    quote::one_line(&name.to_string_lossy())
 }
 
-/// Determines the kind of a file from the header and length of a MERL file, or from a whole JSON file.
+/// Determines the kind of a file from the header and length of a MERL file, or from a JSON file: from all of it up to 8 MiB,
+/// else from its beginning.
 ///
 /// # Errors
 /// Says why it is neither.
 pub fn inspect(path: &Path) -> Result<FileContent, FileError> {
     let (mut file, len) = open(path)?;
-    if let Some(text) = json_text(&mut file, path)? {
-        if session::is_session(&text) {
-            let what = "this is a session; Open… opens it in place of what is open";
-            return Err(FileError::new(path, what));
-        }
-        let entries = fits::entries(&text).map_err(|what| FileError::new(path, what))?;
-        return Ok(FileContent::Models(fits::by_material(path, entries)));
+    if let Some(head) = json_file::head(&mut file, path)? {
+        let other = reason_not_listed(JsonKind::of(&head.text));
+        return match other {
+            Some(what) => Err(FileError::new(path, what)),
+            None if len <= MOST_LISTED => models(&mut file, len, path),
+            None if head.begins_with_model() => Ok(FileContent::ManyModels),
+            None => Err(FileError::new(
+                path,
+                "this large JSON file begins with no model",
+            )),
+        };
     }
     merl::read_header(&mut file, len)
         .map(|_| FileContent::Measured)
         .map_err(|error| FileError::merl(path, error))
+}
+
+/// Bytes of a JSON file at most whose fits are shown with the folder that it lies in: those of 5,000 fits.
+const MOST_LISTED: u64 = 8 << 20;
+
+/// Models of a JSON file that is small enough to be read for a list.
+fn models(file: &mut File, len: u64, path: &Path) -> Result<FileContent, FileError> {
+    let text = json_file::rest(file, len, MOST_LISTED, path)?;
+    // The keys may stand behind the head.
+    if let Some(what) = reason_not_listed(JsonKind::of(&text)) {
+        return Err(FileError::new(path, what));
+    }
+    let entries = fits::entries(&text).map_err(|what| FileError::new(path, what))?;
+    Ok(FileContent::Models(fits::by_material(path, entries)))
+}
+
+/// Words for a file without models in a list.
+fn reason_not_listed(kind: JsonKind) -> Option<&'static str> {
+    match kind {
+        JsonKind::Session => Some("this is a session; Open… opens it in place of what is open"),
+        JsonKind::Figure => Some("this is a figure; Open… opens its data"),
+        JsonKind::Models => None,
+    }
 }
 
 /// Order of names without regard to case, with numbers by their value: a2, A10, b.
@@ -179,6 +211,36 @@ mod tests {
         ];
         assert_eq!(names, expected);
         assert!(list(&good).is_err());
+    }
+
+    #[test]
+    fn a_large_file_of_models_is_told_by_its_beginning() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let model = r#"{"model": "phong", "rho_d": [1, 0, 0], "k_s": [1, 2, 4], "s": 3}"#;
+        let write = |name: &str, begin: &str| {
+            let path = folder.path().join(name);
+            // What is behind the beginning is no JSON at all, and not read.
+            let text = format!("{begin}{}", "\0".repeat(MOST_LISTED as usize));
+            std::fs::write(&path, text).expect("written");
+            path
+        };
+        let models = write("models.json", &format!("[{model},"));
+        assert_eq!(inspect(&models).expect("models"), FileContent::ManyModels);
+        for (name, begin, words) in [
+            ("numbers.json", "[1, 2, ", "begins with no model"),
+            ("session.json", "{\"grazing_session\": 1, ", "a session"),
+            ("figure.json", "{\"subjects\": [], \"rows\": [", "a figure"),
+        ] {
+            let reason = inspect(&write(name, begin))
+                .expect_err("no models")
+                .reason();
+            assert!(reason.contains(words), "{reason}");
+        }
+        // Where only the name of a material says so, it is none.
+        let named = model.replacen('{', "{\"material\": \"grazing_session\",", 1);
+        let path = folder.path().join("small.json");
+        std::fs::write(&path, named).expect("written");
+        assert!(matches!(inspect(&path), Ok(FileContent::Models(_))));
     }
 
     #[cfg(target_os = "linux")]

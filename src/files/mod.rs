@@ -3,9 +3,11 @@
 //! May know [`crate::geom`], [`crate::brdf`], [`crate::measured`] and [`crate::fit`]; knows no egui, wgpu or threads.
 
 mod bytes;
+pub mod directions;
 mod error;
 pub mod fits;
 pub mod folder;
+mod json_file;
 mod model_export;
 pub mod names;
 mod open;

@@ -1,6 +1,7 @@
 //! Export of models as files for other programs.
 
 use super::error::FileError;
+use super::names::short;
 use crate::brdf::{Brdf, codegen};
 use crate::measured::{Grid, merl, tabulate};
 use std::io::{self, Write};
@@ -122,7 +123,7 @@ impl ModelFormat {
             "none" => String::new(),
             key => format!("-{key}"),
         };
-        let (material, model) = (name_part(material), brdf.model.key);
+        let (material, model) = (name_part(short(material)), brdf.model.key);
         format!("{material}_{model}{fresnel}.{}", self.extension())
     }
 }
@@ -162,6 +163,8 @@ mod tests {
             "Teflon-synthetic_combined-exact.wgsl"
         );
         assert_eq!(name(&brdf, "../a/b"), "a-b_combined-exact.wgsl");
+        let long = name(&brdf, &"木".repeat(70_000));
+        assert!((100..=255).contains(&long.len()), "{}", long.len());
         brdf.fresnel = Fresnel::None;
         brdf.model = &BLINN_PHONG;
         assert_eq!(name(&brdf, "?"), "model_blinn-phong.wgsl");

@@ -2,15 +2,17 @@
 
 use super::error::FileError;
 use super::fits::{self, SourceFile};
+use super::json_file;
 use super::paths::absolute;
 use super::session;
 use crate::brdf::{self, Brdf};
 use crate::geom::Rgb;
+use crate::json;
 use crate::measured::{Lookup, Table, merl};
 use glam::DVec3;
 use sha2::{Digest as _, Sha256};
 use std::fs::File;
-use std::io::{Read, Seek};
+use std::io::Read;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
@@ -82,33 +84,62 @@ pub enum Json {
     Figure(String),
 }
 
+/// Kind of a JSON text, by the keys at its top.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum JsonKind {
+    /// A session, even a truncated one.
+    Session,
+    /// A figure spec.
+    Figure,
+    /// Models or fits, or nothing that is known.
+    Models,
+}
+
+impl JsonKind {
+    /// Kind of a text, of which the beginning may be enough.
+    pub fn of(text: &str) -> Self {
+        match json::has_keys(text, [session::KEY, "subjects", "rows"]) {
+            [true, ..] => Self::Session,
+            [_, true, true] => Self::Figure,
+            _ => Self::Models,
+        }
+    }
+
+    /// Message where models are expected and this is something else.
+    pub fn is_no_model(self) -> Option<&'static str> {
+        match self {
+            Self::Session => Some(SESSION_HAS_NO_MODELS),
+            Self::Figure => Some(FIGURE_HAS_NO_MODELS),
+            Self::Models => None,
+        }
+    }
+}
+
+/// Message for a session where models are expected.
+const SESSION_HAS_NO_MODELS: &str =
+    "this is a session; expected models or measured data; grazing FILE opens it in the window";
+
 /// Message for a figure where models are expected.
 const FIGURE_HAS_NO_MODELS: &str =
     "this is a figure; expected models or measured data; grazing figure FILE -o FILE.pdf draws it";
-
-/// Whether a JSON text is a figure spec, which has both of these keys.
-fn is_figure(text: &str) -> bool {
-    let has = |key: &str| text.contains(&format!("\"{key}\""));
-    text.trim_start().starts_with('{') && has("subjects") && has("rows")
-}
 
 /// Reads a JSON file; `None` if the file is something else.
 ///
 /// # Errors
 /// Errors of [`open_table`].
 pub fn open_json(path: &Path) -> Result<Option<Json>, FileError> {
-    let (mut file, _) = open(path)?;
-    let Some(text) = json_text(&mut file, path)? else {
+    let (mut file, len) = open(path)?;
+    let Some(text) = json_file::text(&mut file, len, path)? else {
         return Ok(None);
     };
-    if session::is_session(&text) {
-        return Ok(Some(Json::Session(text)));
-    }
-    if is_figure(&text) {
-        return Ok(Some(Json::Figure(text)));
-    }
-    let entries = fits::entries(&text).map_err(|what| FileError::new(path, what))?;
-    Ok(Some(Json::Models(entries)))
+    Ok(Some(match JsonKind::of(&text) {
+        JsonKind::Session => Json::Session(text),
+        JsonKind::Figure => Json::Figure(text),
+        JsonKind::Models => {
+            let entries = fits::entries(&text).map_err(|what| FileError::new(path, what))?;
+            Json::Models(entries)
+        }
+    }))
 }
 
 /// Entries of a JSON file with models; `None` if the file is something else.
@@ -119,7 +150,7 @@ pub fn open_models(path: &Path) -> Result<Option<Vec<fits::FitEntry>>, FileError
     match open_json(path)? {
         None => Ok(None),
         Some(Json::Models(entries)) => Ok(Some(entries)),
-        Some(Json::Session(_)) => Err(FileError::new(path, session::NO_MODELS)),
+        Some(Json::Session(_)) => Err(FileError::new(path, SESSION_HAS_NO_MODELS)),
         Some(Json::Figure(_)) => Err(FileError::new(path, FIGURE_HAS_NO_MODELS)),
     }
 }
@@ -151,9 +182,9 @@ pub fn open_source(
     progress: OnProgress,
 ) -> Result<OpenedSource, FileError> {
     let (mut file, len) = open(path)?;
-    if let Some(text) = json_text(&mut file, path)? {
-        if session::is_session(&text) {
-            return Err(FileError::new(path, session::NO_MODELS));
+    if let Some(text) = json_file::text(&mut file, len, path)? {
+        if let Some(what) = JsonKind::of(&text).is_no_model() {
+            return Err(FileError::new(path, what));
         }
         let brdf = brdf::json::from_text(&text, index)
             .map_err(|error| FileError::new(path, error.to_string()))?;
@@ -171,25 +202,8 @@ pub fn open_source(
 /// # Errors
 /// Errors of [`open_table`]; a file that is no UTF-8 text or larger.
 pub fn read_text(path: &Path) -> Result<String, FileError> {
-    const MOST: u64 = 64 << 20;
     let (mut file, len) = open(path)?;
-    if len > MOST {
-        return Err(FileError::new(
-            path,
-            "the file is far too large for this; expected JSON",
-        ));
-    }
-    rest_as_text(&mut file, path)
-}
-
-/// Remaining text of a file, without a byte order mark.
-fn rest_as_text(file: &mut File, path: &Path) -> Result<String, FileError> {
-    let mut bytes = Vec::new();
-    file.read_to_end(&mut bytes)
-        .map_err(|error| FileError::io(path, "reading failed", &error))?;
-    let text = String::from_utf8(bytes)
-        .map_err(|_| FileError::new(path, "not valid JSON: it is no UTF-8 text"))?;
-    Ok(text.trim_start_matches('\u{feff}').to_owned())
+    json_file::rest(&mut file, len, json_file::MOST, path)
 }
 
 /// Opens a regular file for reading; returns it with its length in bytes.
@@ -211,16 +225,6 @@ pub(super) fn open(path: &Path) -> Result<(File, u64), FileError> {
 
 fn read_table(file: File, len: u64, path: &Path, progress: OnProgress) -> Result<Table, FileError> {
     merl::read(file, len, progress).map_err(|error| FileError::merl(path, error))
-}
-
-/// Text of a JSON file; `None` if the file is something else.
-pub(super) fn json_text(file: &mut File, path: &Path) -> Result<Option<String>, FileError> {
-    let found = starts_as_json(file);
-    if found.map_err(|error| FileError::io(path, "reading failed", &error))? {
-        rest_as_text(file, path).map(Some)
-    } else {
-        Ok(None)
-    }
 }
 
 /// Reader that hashes the bytes that go through it.
@@ -254,14 +258,4 @@ impl Read for Hashing {
         self.hasher.update(&buffer[..count]);
         Ok(count)
     }
-}
-
-/// Whether the first byte that is no white space opens a JSON object or array. Leaves the file at its start.
-fn starts_as_json(file: &mut File) -> std::io::Result<bool> {
-    let mut start = Vec::new();
-    file.by_ref().take(4096).read_to_end(&mut start)?;
-    file.rewind()?;
-    let text = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&start);
-    let first = text.iter().find(|byte| !byte.is_ascii_whitespace());
-    Ok(matches!(first, Some(b'{' | b'[')))
 }

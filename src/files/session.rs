@@ -1,4 +1,4 @@
-//! Session files as far as the file system goes: how they are told from other JSON, and paths of their materials.
+//! Session files as far as the file system goes: the key that tells them from other JSON, and paths of their materials.
 //!
 //! The window interprets their content; `docs/formats.md` documents its keys.
 
@@ -13,15 +13,6 @@ use std::path::{Component, Path, PathBuf};
 pub const KEY: &str = "grazing_session";
 /// Ending of the name of a session file.
 pub const ENDING: &str = ".grazing.json";
-/// Message for a session where models are expected.
-pub(super) const NO_MODELS: &str =
-    "this is a session; expected models or measured data; grazing FILE opens it in the window";
-
-/// Whether a JSON text is a session, even a truncated one.
-pub fn is_session(text: &str) -> bool {
-    text.trim_start().starts_with('{') && text.contains(&format!("\"{KEY}\""))
-}
-
 /// Whether a file has the name of a session.
 pub fn has_ending(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -188,10 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn sessions_are_told_from_models_and_named_after_their_file() {
-        assert!(is_session(" {\"grazing_session\": 1, \"mat"));
-        assert!(!is_session("[{\"model\": \"phong\"}]"));
-        assert!(!is_session("{\"model\": \"phong\"}"));
+    fn sessions_are_named_after_their_file() {
         let path = Path::new("/a/teflon study.grazing.json");
         assert_eq!(name(path), "teflon study");
         assert!(has_ending(path) && !has_ending(Path::new("/a/teflon.json")));

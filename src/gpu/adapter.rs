@@ -1,9 +1,32 @@
 //! Selection of the graphics adapter: hardware with a modern interface, else GL, else software; the first that works.
 
+use crate::quote::quoted;
 use wgpu::{Adapter, AdapterInfo, Backend, DeviceDescriptor, DeviceType, Surface};
 
 /// Environment variable that names the adapter to use (part of its name, any case).
 pub const ADAPTER_NAME: &str = "WGPU_ADAPTER_NAME";
+
+/// Environment variable that names the interfaces to use, with commas between.
+const BACKENDS: &str = "WGPU_BACKEND";
+
+/// Checks the words in the environment, before a missing driver is thought of.
+///
+/// # Errors
+/// Names the word that is not known, and those that are.
+pub fn check_environment() -> Result<(), String> {
+    let asked = std::env::var_os(BACKENDS);
+    asked.map_or(Ok(()), |asked| check_backends(&asked.to_string_lossy()))
+}
+
+fn check_backends(asked: &str) -> Result<(), String> {
+    let is_unknown = |word: &&str| wgpu::Backends::from_comma_list(word).is_empty();
+    asked.split(',').find(is_unknown).map_or(Ok(()), |unknown| {
+        Err(format!(
+            "{BACKENDS} names {}, which is no graphics interface; expected vulkan, gl, metal or dx12, or several with commas between",
+            quoted(unknown.trim())
+        ))
+    })
+}
 
 /// Preference of an adapter, the most preferred first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -176,6 +199,20 @@ mod tests {
             order,
             [Rank::Modern, Rank::Gl, Rank::Software, Rank::SoftwareGl]
         );
+    }
+
+    #[test]
+    fn interfaces_are_those_of_wgpu_and_others_are_named() {
+        for asked in ["vulkan", "GL", "vk, gl", "metal,dx12"] {
+            assert_eq!(check_backends(asked), Ok(()));
+        }
+        for (asked, unknown) in [("foo", "\"foo\""), ("gl,bar", "\"bar\""), ("", "\"\"")] {
+            let said = check_backends(asked).expect_err("is unknown");
+            assert!(
+                said.contains(unknown) && said.contains("vulkan, gl"),
+                "{said}"
+            );
+        }
     }
 
     #[test]

@@ -5,6 +5,7 @@
 
 use super::grid::{Grid, PHI_D_BINS_FOLDED, PHI_D_BINS_FULL, THETA_D_BINS, THETA_H_BINS};
 use super::table::Table;
+use crate::encoding::{WIDE, is_wide};
 use std::io::{self, ErrorKind, Read, Write};
 use std::ops::ControlFlow;
 
@@ -211,7 +212,10 @@ fn known_format(start: &[u8]) -> Option<&'static str> {
         .find_map(|(magic, what)| start.starts_with(magic).then_some(*what));
     // A header always holds zero bytes, text never does.
     let text = || !start.iter().any(|byte| *byte < 9 || *byte == 0x7f);
-    known.or_else(|| text().then_some("it is a text"))
+    let wide = || is_wide(start).then_some(WIDE);
+    known
+        .or_else(wide)
+        .or_else(|| text().then_some("it is a text"))
 }
 
 /// Fills the buffer as far as the reader goes; returns the number of bytes read.

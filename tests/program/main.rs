@@ -18,6 +18,7 @@ mod cli_figure;
 mod cli_fit;
 mod cli_render;
 mod fonts;
+mod hostile;
 mod inputs;
 mod killed;
 mod odd_names;

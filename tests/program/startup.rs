@@ -100,6 +100,20 @@ fn the_adapter_is_told_without_a_display() {
     let output = wanted.output().expect("it runs");
     assert_eq!(output.status.code(), Some(1));
     assert_eq!(stderr(&output).lines().count(), 1, "{}", stderr(&output));
+    // So does an interface that there is not; no driver is missing.
+    for option in [Some("--adapter"), None] {
+        let mut wanted = without_display();
+        wanted.args(option).env("WGPU_BACKEND", "foo");
+        let output = wanted.output().expect("it runs");
+        let said = stderr(&output);
+        assert_eq!(output.status.code(), Some(1), "{said}");
+        assert!(said.contains("WGPU_BACKEND names \"foo\""), "{said}");
+        assert!(said.contains("vulkan, gl, metal or dx12"), "{said}");
+        assert!(
+            !said.contains("driver") && said.lines().count() == 1,
+            "{said}"
+        );
+    }
     // It is a question of its own.
     assert_eq!(grazing(&[&"--adapter", &"a.binary"]).status.code(), Some(2));
 }

@@ -83,6 +83,33 @@ fn after_a_crash_what_was_open_is_offered_and_restored() {
 
 #[test]
 #[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
+fn what_cannot_be_restored_is_said_once_and_kept() {
+    let folder = Folder::new();
+    let kept = folder.root();
+    let mut first = kept_in(kept, &[]);
+    set_slider(&mut first, "s", 44.0);
+    let file = until_kept(&mut first, kept);
+    drop(first);
+    let text = fs::read_to_string(&file).expect("a session");
+    let half = &text[..text.len() / 2];
+    fs::write(&file, half).expect("is damaged");
+
+    let mut second = kept_in(kept, &[]);
+    click(&mut second, "Restore");
+    let damaged = settle_on(&mut second, |_| {
+        let mut left = left_in(kept).into_iter();
+        left.find(|path| path.extension().is_some_and(|e| e == "damaged"))
+    });
+    said(second.state().state(), "What was open cannot be restored");
+    assert_eq!(fs::read_to_string(&damaged).expect("is kept"), half);
+    close(second);
+    assert_eq!(left_in(kept), [damaged]);
+    let third = kept_in(kept, &[]);
+    assert_eq!(third.state().state().session.crashed, []);
+}
+
+#[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn what_is_discarded_is_not_offered_again_and_a_clean_exit_leaves_nothing() {
     let folder = Folder::new();
     let kept = folder.root();

@@ -392,7 +392,7 @@ fn the_folder_is_fitted_in_the_background() {
     let state = again.state().state();
     assert_eq!(state.library.folder_fits().count(), 3);
     let file = |name: &str| state.library.kind_of(&path(name)).cloned();
-    assert!(matches!(file("fits.json"), Some(FileKind::Models(3))));
+    assert!(matches!(file("fits.json"), Some(FileKind::Models(Some(3)))));
     assert_eq!(kept(&again), 1, "{:?}", state.notices);
 }
 

@@ -9,6 +9,7 @@ use crate::app::msg::work::{SendMsg, Work};
 use crate::app::state::notice::Severity;
 use crate::files;
 use crate::files::session::ENDING;
+use crate::quote;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -232,7 +233,7 @@ pub fn ask_and_do(
 /// Says what was saved, or why nothing was.
 pub fn saved_notice(saved: Result<PathBuf, String>) -> Msg {
     match saved {
-        Ok(path) => Msg::Notify(Severity::Info, format!("Saved {}", path.display())),
+        Ok(path) => Msg::Notify(Severity::Info, format!("Saved {}", quote::path(&path))),
         Err(reason) => error(reason),
     }
 }

@@ -16,6 +16,7 @@ use crate::files::fits::MaterialFits;
 use crate::files::{FileError, Json, fits};
 use crate::measured::Table;
 use crate::measured::samples::SAMPLES;
+use crate::quote::{quoted, shown};
 use std::ops::ControlFlow;
 use std::path::Path;
 
@@ -189,13 +190,15 @@ fn data_of_figure(path: &Path, text: &str) -> Result<Vec<Origin>, FileError> {
             SubjectSource::Model(_) => continue,
             SubjectSource::Sample { key, .. } => {
                 let index = SAMPLES.iter().position(|sample| sample.key == key);
-                Origin::Sample(index.ok_or_else(|| error(format!("unknown sample {key:?}")))?)
+                Origin::Sample(
+                    index.ok_or_else(|| error(format!("unknown sample {}", quoted(key))))?,
+                )
             }
             SubjectSource::Measured { file, .. } => {
                 let mut places = file.places(folder).into_iter();
                 let place = places.find(|place| place.is_file());
                 let missing = || {
-                    let label = &subject.label;
+                    let label = shown(&subject.label);
                     error(format!(
                         "the measured file of {label} is missing; put it where the figure says or beside it"
                     ))

@@ -74,6 +74,11 @@ pub fn start(task: SessionTask, jobs: &Jobs, picker: &Picker) {
             let ctx = jobs.sender().ctx();
             ctx.send_viewport_cmd(egui::ViewportCommand::CancelClose);
         }
+        SessionTask::SetAside(crashed) => {
+            jobs.start(Work::new("keeping what is damaged", move |_| {
+                crashed.set_aside();
+            }));
+        }
     }
 }
 

@@ -74,4 +74,6 @@ pub enum SessionTask {
     Remove(Crashed),
     /// Keep the window open though it was told to close.
     StayOpen,
+    /// Put what a run has left and is damaged where it is not offered again.
+    SetAside(Crashed),
 }

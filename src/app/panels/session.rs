@@ -5,6 +5,7 @@ use crate::app::msg::session::{Close, SessionMsg};
 use crate::app::state::State;
 use crate::app::state::session::{Closing, Crashed, Missing};
 use crate::files::session;
+use crate::quote::shown;
 use egui::{Align2, Id, Key, Modifiers, Window};
 use std::time::Duration;
 
@@ -26,7 +27,7 @@ pub fn session_ui(ctx: &egui::Context, state: &State, out: &mut Vec<Msg>) {
         });
     } else if let Some(missing) = state.asked_for() {
         let material = state.materials.get(&missing.id);
-        let name = material.map_or("A material", |material| material.name.as_str());
+        let name = material.map_or("A material".into(), |material| shown(&material.name));
         window(ctx, &format!("{name} is not where it was"), |ui| {
             missing_ui(ui, state, missing, out);
         });

@@ -6,6 +6,7 @@ use crate::app::views::ViewRow;
 use crate::app::views::on_paper::{FigureSubjects, Naming};
 use crate::export::{FigureSpec, SubjectSource};
 use crate::figure::page::{PageSpec, PanelSpec, RowSpec, Style};
+use crate::files::names::short;
 use crate::measured::Table;
 use std::sync::Arc;
 
@@ -67,14 +68,14 @@ pub fn default_name(state: &State, panes: &[ViewId]) -> String {
         [pane] => {
             let naming = Naming {
                 state,
-                material: &material.name,
+                material: short(&material.name),
                 view: pane.about().key,
                 model,
             };
             let paper = ViewRow::of(*pane).and_then(|row| row.paper.as_ref());
             paper.map_or_else(|| naming.words(&[]), |paper| (paper.name)(&naming))
         }
-        _ => vec![material.name.clone(), "figure".into(), model.into()],
+        _ => vec![short(&material.name).into(), "figure".into(), model.into()],
     };
     let plain = |c: char| {
         if c.is_alphanumeric() || "-_.".contains(c) {

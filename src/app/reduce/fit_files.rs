@@ -9,6 +9,8 @@ use crate::app::state::material::{Material, MaterialId, Origin};
 use crate::app::state::notice::Severity;
 use crate::files::fits::MaterialFits;
 use crate::files::{FileError, SourceFile};
+use crate::quote::shown;
+use std::collections::BTreeSet;
 use std::path::Path;
 
 /// Takes the models of the file `path`: over the material where that is open; else over its measured file, which is
@@ -46,8 +48,8 @@ pub(crate) fn arrived(state: &mut State, id: MaterialId, fits: &MaterialFits) {
     let Some(Material { name, source, .. }) = state.materials.get(&id) else {
         return;
     };
-    let (name, source) = (name.clone(), source.clone());
-    for record in fits.entries.iter().filter_map(|entry| entry.fit.as_ref()) {
+    let (name, source) = (shown(name), source.clone());
+    for record in fits.entries.iter().filter_map(|entry| entry.fit.as_deref()) {
         if data_agree(source.as_ref(), record.source.as_ref()) != Some(false) {
             fit::keep_fit(state, id, KeptFit::from(record));
         }
@@ -77,18 +79,17 @@ type Belongs = fn(&MaterialFits, &Material) -> bool;
 fn with_open(state: &State, all: Vec<MaterialFits>) -> Vec<(MaterialFits, Option<usize>)> {
     let mut all: Vec<(MaterialFits, Option<usize>)> =
         all.into_iter().map(|fits| (fits, None)).collect();
+    let mut taken = BTreeSet::new();
     // By every path first, so that none is taken by a material that only looks like it.
     for belongs in [same_path as Belongs, same_data, same_name] {
-        for at in 0..all.len() {
-            let taken = |index| all.iter().any(|(_, open)| *open == Some(index));
-            let fits = &all[at].0;
+        for (fits, place) in all.iter_mut().filter(|(_, place)| place.is_none()) {
             let mut open = state.scene.opened.iter().enumerate();
             let found = open.find(|(index, opened)| {
                 let material = state.materials.get(&opened.id);
-                !taken(*index) && material.is_some_and(|material| belongs(fits, material))
+                !taken.contains(index) && material.is_some_and(|material| belongs(fits, material))
             });
-            let found = found.map(|(index, _)| index);
-            all[at].1 = all[at].1.or(found);
+            *place = found.map(|(index, _)| index);
+            taken.extend(*place);
         }
     }
     all
@@ -142,7 +143,7 @@ fn what_is_missing(path: &Path, without: &[MaterialFits]) -> Option<String> {
             path,
             format!(
                 "{} has no measured file; the model is shown alone",
-                one.name
+                shown(&one.name)
             ),
         ),
         ([], many) => say(
@@ -156,7 +157,7 @@ fn what_is_missing(path: &Path, without: &[MaterialFits]) -> Option<String> {
             one.places.first().map_or(path, |at| at.as_path()),
             format!(
                 "the measured file of {} is missing; its model is shown alone",
-                one.name
+                shown(&one.name)
             ),
         ),
         ([first, ..], _) => say(
@@ -231,7 +232,7 @@ mod tests {
             material: Some(name.into()),
             source: None,
             error: Some(outcome.errors.total),
-            fit: Some(fit),
+            fit: Some(Box::new(fit)),
         };
         Msg::FitsRead {
             job: 0,

@@ -7,7 +7,8 @@ use crate::app::state::notice::Severity;
 use crate::files::fits::MaterialFits;
 use crate::files::folder::{FileContent, shown_name};
 use crate::fit::Variant;
-use std::path::PathBuf;
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
 
 /// Changes the library.
 pub(crate) fn apply(library: &mut Library, context: &mut Context, msg: FolderMsg) {
@@ -85,25 +86,27 @@ fn see(library: &mut Library, number: u64, index: usize, result: Result<FileCont
     match result {
         Ok(FileContent::Measured) => file.kind = FileKind::Measured(None),
         Ok(FileContent::Models(all)) => {
-            file.kind = FileKind::Models(all.len());
-            for fits in &all {
-                take_fits(library, fits);
-            }
+            file.kind = FileKind::Models(Some(all.len()));
+            take_fits(library, &all);
         }
+        Ok(FileContent::ManyModels) => file.kind = FileKind::Models(None),
         Err(reason) => file.kind = FileKind::Other(reason),
     }
 }
 
 /// Keeps the fits of a fit file for the measured files of the folder that it names. What was fitted here stays.
-fn take_fits(library: &mut Library, fits: &MaterialFits) {
-    let Some(folder) = &library.folder else {
-        return;
-    };
-    let here = |place: &&PathBuf| folder.files.iter().any(|file| file.path == **place);
-    let Some(path) = fits.places.iter().find(here) else {
-        return;
-    };
-    for record in fits.entries.iter().filter_map(|entry| entry.fit.as_ref()) {
+fn take_fits(library: &mut Library, all: &[MaterialFits]) {
+    let files = library.folder.iter().flat_map(|folder| &folder.files);
+    let here: HashSet<PathBuf> = files.map(|file| file.path.clone()).collect();
+    for fits in all {
+        if let Some(path) = fits.places.iter().find(|place| here.contains(*place)) {
+            keep_fits(library, path, fits);
+        }
+    }
+}
+
+fn keep_fits(library: &mut Library, path: &Path, fits: &MaterialFits) {
+    for record in fits.entries.iter().filter_map(|entry| entry.fit.as_deref()) {
         let variant = Variant::from(&record.brdf);
         let kept = library.fits.get(path);
         let known =

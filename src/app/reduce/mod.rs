@@ -61,8 +61,9 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
             origin,
             result,
         } => {
-            show::loaded(state, job, origin, result);
-            return lesson::perform(state);
+            let mut tasks = show::loaded(state, job, origin, result);
+            tasks.extend(lesson::perform(state));
+            return tasks;
         }
         Msg::FitsRead { job, path, fits } => {
             state.jobs.retain(|other| other.id != job);

@@ -1,6 +1,7 @@
 //! Opening of a session: its scene in place of the present one, as one step.
 
 use crate::app::msg::Task;
+use crate::app::msg::session::SessionTask;
 use crate::app::reduce::opening::{forget_unreachable, load};
 use crate::app::reduce::{edit, fit, memory, notify};
 use crate::app::session::file::{SavedFitting, SavedKey, SavedMaterial, SavedWhat, SessionFile};
@@ -10,7 +11,7 @@ use crate::app::state::fitting::settings::FitSettings;
 use crate::app::state::material::{Material, MaterialId, Opened, Origin, Presence};
 use crate::app::state::notice::Severity;
 use crate::app::state::probe::Probe;
-use crate::app::state::session::Missing;
+use crate::app::state::session::{Crashed, DAMAGED, Missing};
 use crate::app::state::session_mark::SessionMark;
 use crate::app::state::subject_key::{SubjectKey, What};
 use crate::app::state::{Scene, State};
@@ -195,10 +196,10 @@ fn settings(saved: &SavedFitting) -> FitSettings {
 
 /// The name of the session; what is restored has the one that it had.
 fn name(state: &mut State, number: u64, path: &Path, saved_as: Option<PathBuf>) {
-    let restored = state.session.restoring.take_if(|other| other == path);
+    let restored = state.session.restoring.take_if(|other| other.file == path);
     match (restored, saved_as) {
         (Some(restored), saved_as) => {
-            state.session.restored.push(restored);
+            state.session.restored.push(restored.file);
             if let Some(file) = saved_as {
                 state.session.files.insert(number, file);
             }
@@ -260,6 +261,20 @@ pub(crate) fn located(state: &mut State, found: Vec<(MaterialId, PathBuf)>) -> V
     load_all(state, &ids)
 }
 
+/// A file could not be read. What the last run has left is not offered a second time then, and not thrown away either.
+pub(crate) fn not_read(state: &mut State, origin: &Origin, reason: String) -> Vec<Task> {
+    let left = |crashed: &mut Crashed| *origin == Origin::File(crashed.file.clone());
+    let Some(crashed) = state.session.restoring.take_if(left) else {
+        notify(state, Severity::Error, reason);
+        return Vec::new();
+    };
+    let text = format!(
+        "What was open cannot be restored and is kept beside it with the ending .{DAMAGED}: {reason}"
+    );
+    notify(state, Severity::Error, text);
+    vec![Task::Session(SessionTask::SetAside(crashed))]
+}
+
 /// Opens what the last run has left.
 pub(crate) fn restore(state: &mut State) -> Vec<Task> {
     // The others are offered at the next start.
@@ -269,12 +284,12 @@ pub(crate) fn restore(state: &mut State) -> Vec<Task> {
     else {
         return Vec::new();
     };
-    state.session.restoring = Some(crashed.file.clone());
     if crashed.by_system {
         let text = "What was open when the system closed Grazing is open again.";
         notify(state, Severity::Info, text.into());
     }
-    let task = load(state, Origin::File(crashed.file));
+    let task = load(state, Origin::File(crashed.file.clone()));
+    state.session.restoring = Some(crashed);
     if let Some(job) = state.jobs.last_mut() {
         job.label = "what was open".into();
     }

@@ -7,6 +7,7 @@ use crate::app::session::file::SessionFile;
 use crate::app::state::State;
 use crate::app::state::material::{MaterialId, Presence};
 use crate::app::state::session_mark::SessionMark;
+use crate::files::names::short;
 use crate::files::session;
 use crate::files::session::ENDING;
 
@@ -50,7 +51,7 @@ pub(crate) fn save(state: &State, ask: bool) -> Vec<Task> {
             .map_or("session".into(), |(material, _)| material.name.clone()),
     };
     // What no file system takes.
-    let name = name.replace(['/', '\\', ':'], "-");
+    let name = short(&name).replace(['/', '\\', ':'], "-");
     vec![Task::Session(SessionTask::Save {
         number,
         session: Box::new(SessionFile::of(state)),

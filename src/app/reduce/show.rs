@@ -2,7 +2,7 @@
 
 use crate::app::msg::{Loaded, Task};
 use crate::app::reduce::opening::{add_material, add_material_at, load, load_with};
-use crate::app::reduce::{edit, fit_files, memory, notify};
+use crate::app::reduce::{edit, fit_files, memory, notify, open_session};
 use crate::app::state::State;
 use crate::app::state::fitting::run::FitRun;
 use crate::app::state::job::Purpose;
@@ -10,6 +10,7 @@ use crate::app::state::library::{FileKind, Pending, PendingTarget, Preview};
 use crate::app::state::material::{MaterialId, Origin, Presence};
 use crate::app::state::notice::Severity;
 use crate::files::FileError;
+use crate::quote::shown;
 use std::path::PathBuf;
 
 /// Shows an open material; from now on, arrows step through the open ones.
@@ -144,7 +145,7 @@ pub(crate) fn loaded(
     job: u64,
     origin: Origin,
     result: Result<Loaded, Option<String>>,
-) {
+) -> Vec<Task> {
     let at = state.jobs.iter().position(|other| other.id == job);
     let purpose = at.map_or(Purpose::Open, |at| state.jobs.remove(at).purpose);
     let pending = state.library.pending.take_if(|pending| pending.job == job);
@@ -164,9 +165,12 @@ pub(crate) fn loaded(
             memory::cancel_pending(state);
             add_material(state, origin, loaded);
         }
-        (Purpose::Open, Err(Some(reason)), _) => notify(state, Severity::Error, reason),
+        (Purpose::Open, Err(Some(reason)), _) => {
+            return open_session::not_read(state, &origin, reason);
+        }
         (Purpose::Open, Err(None), _) => {}
     }
+    Vec::new()
 }
 
 /// Opens a file in the place of the preview before it, if that is as it was.
@@ -227,7 +231,7 @@ fn take_back(state: &mut State, id: MaterialId, job: u64, result: Result<Loaded,
                 let path = material.file().unwrap_or_default();
                 let what = format!(
                     "the data of {} have changed since {since}; its fits are gone",
-                    material.name
+                    shown(&material.name)
                 );
                 state.library.fits.remove(&path);
                 notify(
@@ -239,7 +243,8 @@ fn take_back(state: &mut State, id: MaterialId, job: u64, result: Result<Loaded,
         }
         Err(Some(reason)) => {
             material.presence = Presence::Missing;
-            let text = format!("{} is shown without its data: {reason}", material.name);
+            let name = shown(&material.name);
+            let text = format!("{name} is shown without its data: {reason}");
             notify(state, Severity::Error, text);
         }
         Err(None) => material.presence = Presence::Evicted,

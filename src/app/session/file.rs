@@ -12,6 +12,7 @@ use crate::files::session::SavedSource;
 use crate::fit::Weight;
 use crate::fit::options::NO_LIMIT;
 use crate::geom::degrees;
+use crate::json;
 use crate::measured::lookup::Lookup;
 use glam::DVec3;
 use serde::de::Error as _;
@@ -95,7 +96,7 @@ impl Serialize for SavedBrdf {
 
 impl<'de> Deserialize<'de> for SavedBrdf {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let value = Value::deserialize(deserializer)?;
+        let value = json::bounded(deserializer, json::MOST_OF_MODEL)?;
         let mut brdf = brdf::json::from_value(&value).map_err(D::Error::custom)?;
         for row in &params::ALL {
             let found = value.get(row.key).and_then(Value::as_f64);

@@ -10,10 +10,15 @@ use crate::app::state::views::VIEWS;
 use crate::brdf::{Brdf, Fresnel, MODELS, Params};
 use crate::files::path_text::PathText;
 use crate::files::session::KEY;
+use crate::json;
 use crate::keys;
+use crate::quote::shown;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::path::PathBuf;
+
+/// Bytes of memory that a session takes at most while it is read: that of 50,000 fits.
+const MOST_BYTES: usize = 256 << 20;
 
 /// Number of places that are named in one line.
 const NAMED: usize = 4;
@@ -26,15 +31,15 @@ pub type Read = (SessionFile, Vec<String>);
 /// # Errors
 /// One line that says why this is none.
 pub fn read(text: &str) -> Result<Read, String> {
-    let given: Value =
-        serde_json::from_str(text).map_err(|error| format!("not valid JSON: {error}"))?;
+    let given = json::value(text, MOST_BYTES)?;
     match given.get(KEY) {
         None => return Err(format!("this is no session: it has no key \"{KEY}\"")),
         Some(version) if version.as_u64() == Some(VERSION) => {}
         Some(version) => {
             return Err(format!(
-                "this session has the version {version}; expected {VERSION}; \
-                 newer ones need a newer Grazing"
+                "this session has the version {}; expected {VERSION}; \
+                 newer ones need a newer Grazing",
+                shown(&version.to_string())
             ));
         }
     }
@@ -82,9 +87,10 @@ impl Reader {
         match read {
             Ok(part) => Some(part),
             Err(error) => {
-                let said = keys::with_proposal(&error);
-                self.remarks
-                    .push(format!("\"{at}\" is not understood and left out: {said}"));
+                let (said, place) = (keys::with_proposal(&error), shown(&at));
+                self.remarks.push(format!(
+                    "\"{place}\" is not understood and left out: {said}"
+                ));
                 self.spoken_of.push(at);
                 None
             }
@@ -186,7 +192,11 @@ impl Reader {
             ),
         ] {
             let more = places.len().saturating_sub(NAMED);
-            let mut named = places[..places.len() - more].join(", ");
+            let named = places[..places.len() - more].iter();
+            let mut named = named
+                .map(|place| shown(place))
+                .collect::<Vec<_>>()
+                .join(", ");
             if more > 0 {
                 named += &format!(" and {more} more");
             }

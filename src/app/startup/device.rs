@@ -5,6 +5,7 @@ use crate::app::jobs::sender::Sender;
 use crate::app::msg::Msg;
 use crate::app::msg::session::{Close, SessionMsg};
 use crate::app::state::notice::Severity;
+use crate::quote::shown;
 use eframe::wgpu;
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -61,11 +62,7 @@ impl eframe::App for Guarded {
 /// Errors of wgpu are a tree of lines: the last says what it comes from.
 fn words(error: &str) -> String {
     let cause = error.lines().map(str::trim).rfind(|line| !line.is_empty());
-    let cause: String = cause
-        .unwrap_or("no reason given")
-        .chars()
-        .take(200)
-        .collect();
+    let cause = shown(cause.unwrap_or("no reason given"));
     format!("The graphics driver refused a picture ({cause}). Please report it.")
 }
 

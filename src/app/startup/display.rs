@@ -5,6 +5,7 @@
 //! are of no use any more.
 
 use crate::app::jobs::within;
+use crate::quote::shown;
 use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -42,7 +43,8 @@ fn choose_among(names: &Names) -> Result<Option<String>, String> {
     };
     match &names.x11_display {
         Some(display) => Ok(Some(format!(
-            "no Wayland display answers ({failed}); trying X11 (DISPLAY={display})"
+            "no Wayland display answers ({failed}); trying X11 (DISPLAY={})",
+            shown(display)
         ))),
         None => Err(format!("{failed}; DISPLAY is not set")),
     }
@@ -56,13 +58,13 @@ fn ask_wayland(names: &Names) -> Result<(), String> {
             let target = fs::read_link(format!("/proc/self/fd/{number}"));
             target.is_ok_and(|target| target.to_string_lossy().starts_with("socket:"))
         });
-        let failed = || format!("WAYLAND_SOCKET={number}: no open socket");
+        let failed = || format!("WAYLAND_SOCKET={}: no open socket", shown(number));
         return is_socket.then_some(()).ok_or_else(failed);
     }
     let Some(name) = &names.wayland_display else {
         return Ok(());
     };
-    let failed = |why: &str| format!("WAYLAND_DISPLAY={name}: {why}");
+    let failed = |why: &str| format!("WAYLAND_DISPLAY={}: {why}", shown(name));
     let folder = names.runtime_dir.as_deref().filter(|dir| dir.is_absolute());
     let path = match (Path::new(name), folder) {
         (path, _) if path.is_absolute() => path.to_owned(),

@@ -23,7 +23,7 @@ pub struct SessionState {
     /// Files left by runs before; the first is offered to be restored.
     pub crashed: Vec<Crashed>,
     /// File that is being restored.
-    pub restoring: Option<PathBuf>,
+    pub restoring: Option<Crashed>,
     /// Files that were restored: no longer needed once the present state is kept.
     pub restored: Vec<PathBuf>,
 }
@@ -47,6 +47,9 @@ impl SessionState {
         self.missing.iter().find(|missing| missing.id == id)
     }
 }
+
+/// Ending, in place of `json`, of what a run has left and cannot be restored.
+pub const DAMAGED: &str = "damaged";
 
 /// How far the window is with closing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

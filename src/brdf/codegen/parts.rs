@@ -1,6 +1,7 @@
 //! The parts of the exported texts: head, parameter values, functions.
 
 use crate::brdf::{Brdf, Fresnel, Param};
+use crate::quote::shown;
 use std::fmt::Write as _;
 
 /// Comment that says how the function is called.
@@ -113,14 +114,15 @@ pub(super) fn entry(brdf: &Brdf) -> String {
     text
 }
 
-/// Name as ASCII text in a comment of one line: a backslash at its end would continue the comment.
+/// Name as ASCII text in a comment of one line of bounded length: a backslash at its end would continue the comment.
 fn one_line(name: &str) -> String {
     let plain = |c: char| match c {
         '\\' => '/',
         c if c.is_ascii() && !c.is_ascii_control() => c,
         _ => '?',
     };
-    name.chars().map(plain).collect()
+    let plain: String = name.chars().map(plain).collect();
+    shown(&plain).replace('…', "...")
 }
 
 /// Text with characters outside of ASCII written out: shader compilers need not accept them, not even in comments.

@@ -11,6 +11,7 @@ use crate::files::{self, FileError};
 use crate::fit::options::NO_LIMIT;
 use crate::fit::{self, FitOptions, Problem, Variant, Weight};
 use crate::measured::{SAMPLES, SyntheticMaterial, Table};
+use crate::quote::shown;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -107,7 +108,7 @@ fn add_fits(
     fits: &fits::MaterialFits,
 ) -> Result<(), FileError> {
     let Some(file) = &fits.found else {
-        let name = &fits.name;
+        let name = shown(&fits.name);
         let what = format!(
             "the measured file of {name} is missing, and a figure needs it; put it where the fit file says or beside it"
         );

@@ -3,6 +3,7 @@
 use crate::brdf::{Param, Params, params};
 use crate::fit::{Partial, Stage, StageSet};
 use crate::keys;
+use crate::quote::{quoted, shown};
 
 /// A grazing limit in degrees.
 pub fn limit(text: &str) -> Result<f64, String> {
@@ -25,7 +26,10 @@ pub fn stages(text: &str) -> Result<StageSet, String> {
     for part in text.split(',') {
         let stage = part.trim().parse().ok().and_then(Stage::by_number);
         let Some(stage) = stage else {
-            return Err(format!("{part:?} is no stage; expected some of 1,2,3,4"));
+            return Err(format!(
+                "{} is no stage; expected some of 1,2,3,4",
+                quoted(part)
+            ));
         };
         if stages[stage] {
             return Err(format!(
@@ -45,7 +49,8 @@ pub fn values(text: &str) -> Result<Partial, String> {
     for part in text.split(',') {
         let Some((key, value)) = part.split_once('=') else {
             return Err(format!(
-                "{part:?} has no value; expected KEY=VALUE with a key of {}",
+                "{} has no value; expected KEY=VALUE with a key of {}",
+                quoted(part),
                 all()
             ));
         };
@@ -53,7 +58,8 @@ pub fn values(text: &str) -> Result<Partial, String> {
         let Some(row) = params::ALL.iter().find(|row| row.key == key) else {
             let proposal = keys::did_you_mean(key, params::ALL.map(|row| row.key));
             return Err(format!(
-                "there is no parameter {key:?}; expected one of {}{proposal}",
+                "there is no parameter {}; expected one of {}{proposal}",
+                quoted(key),
                 all()
             ));
         };
@@ -90,10 +96,12 @@ fn numbers(row: &Param, text: &str) -> Result<Vec<f64>, String> {
     let number = |part: &str| match part.trim().parse::<f64>() {
         Ok(number) if row.accepts(number) => Ok(number),
         Ok(number) if !number.is_nan() => Err(format!(
-            "{key} = {number} is out of range; expected {low} to {high}"
+            "{key} = {} is out of range; expected {low} to {high}",
+            shown(&number.to_string())
         )),
         _ => Err(format!(
-            "{key}: {part:?} is no number; expected {low} to {high}"
+            "{key}: {} is no number; expected {low} to {high}",
+            quoted(part)
         )),
     };
     parts.into_iter().map(number).collect()

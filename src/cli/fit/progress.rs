@@ -1,5 +1,6 @@
 //! Progress of `grazing fit`: one bar over all files and variants where standard error is a terminal, else nothing.
 
+use crate::files::folder::shown_name;
 use crate::fit::{FitProgress, Variant};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::Path;
@@ -40,7 +41,7 @@ impl Bar {
     /// A file begins; those before it are done, good or bad.
     pub fn file(&mut self, index: usize, path: &Path) {
         self.file = index;
-        self.name = path.file_name().unwrap_or_default().display().to_string();
+        self.name = shown_name(path);
         self.shares = vec![0.0; self.variants.len()];
         self.bar.set_prefix(format!("{}/{}", index + 1, self.files));
         self.bar.set_message(format!("{}  reading", self.name));

@@ -2,6 +2,7 @@
 
 use crate::geom::limits::MAX_EXPOSURE_STOPS;
 use crate::geom::sphere::{LIGHT_PRESETS, Light, MAX_LIGHTS};
+use crate::quote::{quoted, shown};
 
 /// The lights of a sphere.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,17 +27,20 @@ pub fn lights(text: &str) -> Result<Lights, String> {
             .and_then(|(theta, phi)| Some((angle(theta)?, angle(phi)?)));
         let Some((theta_deg, phi_deg)) = angles else {
             return Err(format!(
-                "{part:?} is no light; expected {names}, or THETA,PHI[;THETA,PHI…] in degrees"
+                "{} is no light; expected {names}, or THETA,PHI[;THETA,PHI…] in degrees",
+                quoted(part)
             ));
         };
         if !(0.0..=180.0).contains(&theta_deg) {
             return Err(format!(
-                "THETA = {theta_deg} is out of range; expected 0 to 180"
+                "THETA = {} is out of range; expected 0 to 180",
+                shown(&theta_deg.to_string())
             ));
         }
         if phi_deg.abs() > 360.0 {
             return Err(format!(
-                "PHI = {phi_deg} is out of range; expected -360 to 360"
+                "PHI = {} is out of range; expected -360 to 360",
+                shown(&phi_deg.to_string())
             ));
         }
         lights.push(Light::from_angles(

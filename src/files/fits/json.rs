@@ -6,6 +6,9 @@ use crate::fit::options;
 use crate::fit::outcome::ALBEDO_ANGLES;
 use crate::fit::{EndReason, Errors, FitOptions, Partial, Stage, Weight};
 use crate::geom::Rgb;
+use crate::json;
+use crate::keys;
+use crate::quote::said;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -36,7 +39,8 @@ pub fn to_value(fit: &FitRecord) -> Value {
 /// Says why it has no model, or which key is missing or not understood.
 pub fn from_value(value: Value) -> Result<FitRecord, String> {
     let brdf = brdf::json::from_value(&value).map_err(|error| error.to_string())?;
-    let object = Object::deserialize(value).map_err(|error| format!("not a fit: {error}"))?;
+    let object =
+        Object::deserialize(value).map_err(|error| format!("not a fit: {}", said(&error)))?;
     let record = object.into_record(brdf);
     record.ok_or_else(|| "not a fit: a stage, an angle, the weight or the end is unknown".into())
 }
@@ -47,17 +51,22 @@ pub fn from_value(value: Value) -> Result<FitRecord, String> {
 /// Says where the text is no JSON, or which entry has no model and why. Other keys of an entry are used where they are
 /// understood and ignored where not.
 pub fn entries(text: &str) -> Result<Vec<FitEntry>, String> {
-    let value: Value =
-        serde_json::from_str(text).map_err(|error| format!("not valid JSON: {error}"))?;
-    match value {
-        Value::Array(items) if items.is_empty() => Err("the array of models is empty".into()),
-        Value::Array(items) => items
-            .into_iter()
-            .enumerate()
-            .map(|(index, item)| entry(item).map_err(|what| format!("entry {index}: {what}")))
-            .collect(),
-        value => Ok(vec![entry(value)?]),
+    let mut found = Vec::new();
+    let keys = keys::names::<Object>();
+    let is_known = |key: &str| keys.contains(&key) || brdf::json::is_key(key);
+    json::entries(text, &is_known, &mut |at, value| {
+        let entry = entry(value).map_err(|what| match at {
+            Some(at) => format!("entry {at}: {what}"),
+            None => what,
+        })?;
+        found.push(entry);
+        Ok(())
+    })?;
+    if found.is_empty() {
+        return Err("the array of models is empty".into());
     }
+    found.shrink_to_fit();
+    Ok(found)
 }
 
 fn entry(value: Value) -> Result<FitEntry, String> {
@@ -74,7 +83,8 @@ fn entry(value: Value) -> Result<FitEntry, String> {
         error: value.get("error").and_then(Value::as_f64),
         fit: Object::deserialize(value)
             .ok()
-            .and_then(|object| object.into_record(brdf)),
+            .and_then(|object| object.into_record(brdf))
+            .map(Box::new),
     })
 }
 

@@ -3,6 +3,7 @@
 use super::record::{FitEntry, FitRecord, SourceFile};
 use crate::brdf::Brdf;
 use crate::files::paths::{absolute, material_name};
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 /// Models of one material in a fit file.
@@ -37,7 +38,7 @@ impl MaterialFits {
                 material: Some(record.material.clone()),
                 source: record.source.clone(),
                 error: Some(record.errors.total),
-                fit: Some(record.clone()),
+                fit: Some(Box::new(record.clone())),
             })
             .collect();
         sort(&mut entries);
@@ -68,18 +69,22 @@ pub fn by_material(path: &Path, entries: Vec<FitEntry>) -> Vec<MaterialFits> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let single = entries.len() == 1;
     let mut all: Vec<MaterialFits> = Vec::new();
+    let mut places = Places::default();
     for (index, entry) in entries.into_iter().enumerate() {
-        let places: Vec<PathBuf> = entry
+        let tried: Vec<PathBuf> = entry
             .source
             .iter()
             .flat_map(|source| source.places(folder))
             .collect();
-        let found = places.iter().find(|place| place.is_file()).cloned();
-        let same = all.iter_mut().find(|fits| belongs(&entry, &found, fits));
-        if let Some(fits) = same {
+        let found = tried.iter().find(|place| place.is_file()).cloned();
+        if let Some(at) = places.of(&entry, &found, &all) {
+            let fits = &mut all[at];
+            if fits.entries[0].material != entry.material {
+                places.mixed.insert(at);
+            }
             fits.entries.push(entry);
             if fits.found.is_none() && found.is_some() {
-                (fits.found, fits.places) = (found, places);
+                (fits.found, fits.places) = (found, tried);
             }
             continue;
         }
@@ -88,11 +93,12 @@ pub fn by_material(path: &Path, entries: Vec<FitEntry>) -> Vec<MaterialFits> {
             None if single => material_name(&path),
             None => format!("{} {index}", material_name(&path)),
         };
+        places.add(all.len(), &name, &entry);
         all.push(MaterialFits {
             name,
             source: entry.source.clone(),
             found,
-            places,
+            places: tried,
             best: entry.brdf,
             entries: vec![entry],
         });
@@ -104,6 +110,56 @@ pub fn by_material(path: &Path, entries: Vec<FitEntry>) -> Vec<MaterialFits> {
     all
 }
 
+/// Positions of materials by what their entries have in common, so that a file of many is read in a time in proportion.
+#[derive(Default)]
+struct Places {
+    /// By the path of the measured file.
+    by_path: HashMap<PathBuf, usize>,
+    /// By SHA-256, in small letters, and name.
+    by_data: HashMap<(String, Option<String>), Vec<usize>>,
+    /// By name, where no measured file is named.
+    by_name: HashMap<String, usize>,
+    /// Those whose entries have several names.
+    mixed: HashSet<usize>,
+}
+
+impl Places {
+    /// Keeps where the material that begins with an entry is.
+    fn add(&mut self, at: usize, name: &str, entry: &FitEntry) {
+        match &entry.source {
+            Some(source) => {
+                self.by_path.entry(source.path.clone()).or_insert(at);
+                let data = data_of(source).map(|data| (data, entry.material.clone()));
+                if let Some(data) = data {
+                    self.by_data.entry(data).or_default().push(at);
+                }
+            }
+            None => {
+                self.by_name.entry(name.to_owned()).or_insert(at);
+            }
+        }
+    }
+
+    /// The first material that an entry, whose measured file was `found`, is one of.
+    fn of(&self, entry: &FitEntry, found: &Option<PathBuf>, all: &[MaterialFits]) -> Option<usize> {
+        let Some(source) = &entry.source else {
+            return self.by_name.get(entry.material.as_ref()?).copied();
+        };
+        let data = data_of(source).map(|data| (data, entry.material.clone()));
+        let alike = data.and_then(|data| self.by_data.get(&data));
+        let same_data = alike.into_iter().flatten().find(|at| {
+            let both = found.as_ref().zip(all[**at].found.as_ref());
+            both.is_none_or(|(found, other)| found == other) && !self.mixed.contains(at)
+        });
+        let same_path = self.by_path.get(&source.path);
+        same_data.into_iter().chain(same_path).min().copied()
+    }
+}
+
+fn data_of(source: &SourceFile) -> Option<String> {
+    source.sha256.as_ref().map(|hash| hash.to_ascii_lowercase())
+}
+
 /// Entry with the smallest E among the fits of a measured file: those made from the same path or the same bytes.
 pub fn best_of<'a>(entries: &'a [FitEntry], source: &SourceFile) -> Option<&'a FitEntry> {
     let of_it = entries.iter().filter(|entry| {
@@ -113,22 +169,4 @@ pub fn best_of<'a>(entries: &'a [FitEntry], source: &SourceFile) -> Option<&'a F
     });
     let error = |entry: &FitEntry| entry.error.unwrap_or(f64::INFINITY);
     of_it.min_by(|a, b| error(a).total_cmp(&error(b)))
-}
-
-/// Whether an entry, whose measured file was `found`, is one of a material.
-fn belongs(entry: &FitEntry, found: &Option<PathBuf>, fits: &MaterialFits) -> bool {
-    let named_alike = || {
-        fits.entries
-            .iter()
-            .all(|other| other.material == entry.material)
-    };
-    match (&entry.source, &fits.source) {
-        (Some(a), Some(b)) if a.path == b.path => true,
-        (Some(a), Some(b)) if a.same_data(b) == Some(true) => {
-            let both = found.as_ref().zip(fits.found.as_ref());
-            named_alike() && both.is_none_or(|(found, other)| found == other)
-        }
-        (None, None) => entry.material.as_ref() == Some(&fits.name),
-        _ => false,
-    }
 }

@@ -131,5 +131,5 @@ pub struct FitEntry {
     /// E of the model; `None` where none is given.
     pub error: Option<f64>,
     /// Record of the whole fit; `None` for a plain model.
-    pub fit: Option<FitRecord>,
+    pub fit: Option<Box<FitRecord>>,
 }

@@ -81,7 +81,7 @@ fn what_is_written_is_read_back_bit_by_bit() {
             assert_eq!(entry.source, written.source);
             assert_eq!(entry.error, Some(written.errors.total));
             let mut fit = entry.fit.expect("is a fit");
-            assert_eq!(json_of(&[fit.clone()]), text);
+            assert_eq!(json_of(&[(*fit).clone()]), text);
             assert!(fit.errors.channels[1].is_nan());
             fit.errors.channels[1] = 0.0;
             let mut expected = written.clone();
@@ -97,10 +97,10 @@ fn what_is_written_is_read_back_bit_by_bit() {
             for stage in &mut expected.stages {
                 stage.params = expected.brdf.params;
             }
-            assert_eq!(fit, expected);
+            assert_eq!(*fit, expected);
             // A planted change is seen.
             expected.limit_deg = 80.10000000000001;
-            assert_ne!(fit, expected);
+            assert_ne!(*fit, expected);
         }
     }
 }
@@ -216,4 +216,87 @@ fn fits_of_one_material_are_together_the_best_first() {
         (all[3].name.as_str(), all[4].name.as_str()),
         ("fits 5", "fits 6")
     );
+}
+
+/// The definition of [`by_material`], one pair at a time: positions of entries by material.
+fn plain_groups(folder: &std::path::Path, entries: &[FitEntry]) -> Vec<Vec<usize>> {
+    struct Group {
+        source: Option<SourceFile>,
+        found: Option<std::path::PathBuf>,
+        name: String,
+        members: Vec<usize>,
+    }
+    let mut all: Vec<Group> = Vec::new();
+    for (index, entry) in entries.iter().enumerate() {
+        let places = entry.source.iter().flat_map(|source| source.places(folder));
+        let found = places.into_iter().find(|place| place.is_file());
+        let belongs = |group: &Group| match (&entry.source, &group.source) {
+            (Some(a), Some(b)) if a.path == b.path => true,
+            (Some(a), Some(b)) if a.same_data(b) == Some(true) => {
+                let both = found.as_ref().zip(group.found.as_ref());
+                let mut members = group.members.iter();
+                members.all(|other| entries[*other].material == entry.material)
+                    && both.is_none_or(|(found, other)| found == other)
+            }
+            (None, None) => entry.material.as_ref() == Some(&group.name),
+            _ => false,
+        };
+        match all.iter_mut().find(|group| belongs(group)) {
+            Some(group) => {
+                group.members.push(index);
+                group.found = group.found.take().or(found);
+            }
+            None => all.push(Group {
+                source: entry.source.clone(),
+                found,
+                name: entry.material.clone().unwrap_or(format!("fits {index}")),
+                members: vec![index],
+            }),
+        }
+    }
+    all.into_iter().map(|group| group.members).collect()
+}
+
+#[test]
+fn entries_are_grouped_as_the_definition_has_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for name in ["here.binary", "there.binary"] {
+        std::fs::write(folder.path().join(name), "x").expect("is written");
+    }
+    let mut seed = 7u64;
+    let mut draw = |below: u64| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        ((seed >> 33) % below) as usize
+    };
+    let mut together = 0;
+    for _ in 0..2000 {
+        let count = 2 + draw(8);
+        let entries: Vec<FitEntry> = (0..count)
+            .map(|index| FitEntry {
+                brdf: record(0, Fresnel::None).brdf,
+                material: [None, Some("a"), Some("b"), Some("fits 0")][draw(4)].map(String::from),
+                source: (draw(4) > 0).then(|| SourceFile {
+                    path: ["here.binary", "there.binary", "/gone/1", "/gone/2"][draw(4)].into(),
+                    bytes: None,
+                    sha256: [None, Some("ab"), Some("AB"), Some("cd")][draw(4)].map(String::from),
+                }),
+                // The order of the entries is that of E.
+                error: Some(index as f64),
+                fit: None,
+            })
+            .collect();
+        let expected = plain_groups(folder.path(), &entries);
+        let found: Vec<Vec<usize>> = by_material(&folder.path().join("fits.json"), entries)
+            .iter()
+            .map(|fits| {
+                fits.entries
+                    .iter()
+                    .map(|entry| entry.error.expect("E") as usize)
+                    .collect()
+            })
+            .collect();
+        assert_eq!(found, expected);
+        together += usize::from(found.iter().any(|group| group.len() > 1));
+    }
+    assert!(together > 1000, "{together}");
 }

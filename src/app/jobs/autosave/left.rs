@@ -1,6 +1,6 @@
 //! Leavings of runs before in the autosave folder.
 
-use crate::app::state::session::Crashed;
+use crate::app::state::session::{Crashed, DAMAGED};
 use crate::files::TEMPORARY_PREFIX;
 use crate::files::session::ENDING;
 use std::fs::{self, File};
@@ -22,6 +22,13 @@ impl Crashed {
     pub fn remove(&self) {
         // One that is gone is as it should be; one that stays is offered again.
         let _ = fs::remove_file(&self.file);
+        let _ = fs::remove_file(&self.lock);
+    }
+
+    /// Puts a damaged file where it is not offered again, and removes the lock.
+    pub fn set_aside(&self) {
+        // One that cannot be moved is offered again.
+        let _ = fs::rename(&self.file, self.file.with_extension(DAMAGED));
         let _ = fs::remove_file(&self.lock);
     }
 }

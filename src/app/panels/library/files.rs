@@ -170,8 +170,9 @@ fn lines(kind: &FileKind, best: Option<&FitRecord>) -> [String; 2] {
                 100.0 * examined.valid_share
             )
         }
-        FileKind::Models(1) => "Fit file, 1 material".into(),
-        FileKind::Models(count) => format!("Fit file, {count} materials"),
+        FileKind::Models(None) => "Large fit file".into(),
+        FileKind::Models(Some(1)) => "Fit file, 1 material".into(),
+        FileKind::Models(Some(count)) => format!("Fit file, {count} materials"),
         FileKind::Other(reason) => reason.clone(),
     };
     [first, best.map(fit_text).unwrap_or_default()]

@@ -109,8 +109,8 @@ pub enum FileKind {
     Unknown,
     /// A measured material; what is in it, once it has been read.
     Measured(Option<Examined>),
-    /// Models as JSON: how many materials they are of.
-    Models(usize),
+    /// Models as JSON: how many materials they are of; `None` where the file is too large to be read for a list.
+    Models(Option<usize>),
     /// No BRDF, and why.
     Other(String),
 }
