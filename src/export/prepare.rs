@@ -216,7 +216,6 @@ impl FigureSpec {
     pub fn draw(&self, prepared: &Prepared, numbers: bool) -> Result<Page, ExportError> {
         let page = draw(&self.page(), &prepared.subjects, &prepared.made, numbers);
         let mut page = page.map_err(ExportError::Other)?;
-        page.paper.recipe = Some(self.recipe());
         page.paper.fallback = fonts::for_letters(&font::lacking(&page.paper.drawing, &[]));
         Ok(page)
     }

@@ -1,19 +1,58 @@
 //! The recipe that a picture carries, from its file.
 
-use super::spec::FigureSpec;
+use super::spec::{FigureSpec, SubjectSource};
 use crate::figure::write::recipe::{PictureKind, plain};
-use crate::files::{self, FileError};
-use std::path::Path;
+use crate::files::session::{relative, tidy};
+use crate::files::{self, FileError, SourceFile};
+use std::path::{Path, PathBuf};
 
 /// Largest picture that is read for its recipe, in bytes.
 const MOST: u64 = 512 << 20;
 
 impl FigureSpec {
-    /// The recipe as pictures carry it: the spec in one line.
-    pub fn recipe(&self) -> String {
+    /// The recipe as a picture in this folder carries it: the spec in one line. Measured files are named by their paths from
+    /// there: a published picture does not tell where its author works.
+    pub fn recipe(&self, folder: &Path) -> String {
+        let mut spec = self.clone();
+        for file in spec.measured_files() {
+            if let Some(relative) = relative(folder, &file.path).filter(|_| file.path.is_absolute())
+            {
+                file.path = relative;
+            }
+        }
         // Plain data: there is nothing that cannot be written.
-        plain(&serde_json::to_string(self).unwrap_or_default())
+        plain(&serde_json::to_string(&spec).unwrap_or_default())
     }
+
+    /// Names the measured files by whole paths, as they are found from the folder of the spec or the picture: the figure may be
+    /// drawn elsewhere. A path at which there is none is left, but begins at the root.
+    pub(super) fn find_from(&mut self, folder: &Path) {
+        for file in self.measured_files() {
+            let [first, beside] = file.places(folder);
+            let found = if !first.is_file() && beside.is_file() {
+                beside
+            } else {
+                first
+            };
+            if found != file.path {
+                file.path = tidy(&found);
+            }
+        }
+    }
+
+    fn measured_files(&mut self) -> impl Iterator<Item = &mut SourceFile> {
+        let sources = self.subjects.iter_mut().map(|subject| &mut subject.source);
+        sources.filter_map(|source| match source {
+            SubjectSource::Measured { file, .. } => Some(file),
+            SubjectSource::Sample { .. } | SubjectSource::Model(_) => None,
+        })
+    }
+}
+
+/// The folder that a picture is in, from the root on.
+pub(super) fn folder_of(picture: &Path) -> PathBuf {
+    let path = files::absolute(picture);
+    path.parent().map(Path::to_owned).unwrap_or_default()
 }
 
 /// The text of a spec in a picture that carries it as its recipe; `None` where the file is no SVG, PDF or PNG.

@@ -2,7 +2,7 @@
 
 use super::error::ExportError;
 use super::fit_output;
-use super::recipe::recipe_in;
+use super::recipe::{folder_of, recipe_in};
 use crate::brdf::Brdf;
 use crate::figure::faults::Faults;
 use crate::figure::page::{self, PageSpec, RowSpec, Style};
@@ -12,6 +12,7 @@ use crate::files::{self, FileError};
 use crate::json;
 use crate::keys;
 use crate::measured::{Lookup, SAMPLES, SyntheticMaterial};
+use crate::quote::shown;
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
 use serde_path_to_error::Segment;
@@ -147,7 +148,7 @@ impl FigureSpec {
             let keys: Vec<String> = error.path().iter().filter_map(key_of).collect();
             match keys.as_slice() {
                 [] => format!("not a figure: {said}"),
-                keys => format!("not a figure: {}: {said}", keys.join(".")),
+                keys => format!("not a figure: {}: {said}", shown(&keys.join("."))),
             }
         })
     }
@@ -163,6 +164,7 @@ impl FigureSpec {
         };
         let read = || {
             let mut spec = Self::from_json(&text)?;
+            spec.find_from(&folder_of(path));
             let mut faults = Faults::default();
             spec.sanitize(&mut faults);
             faults.result().map(|()| spec)

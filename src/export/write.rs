@@ -2,6 +2,7 @@
 
 use super::error::ExportError;
 use super::prepare::Prepared;
+use super::recipe::folder_of;
 use super::spec::{FigureSpec, spec_beside};
 use crate::figure::page::{Page, only_sphere};
 use crate::figure::sphere_image::render_part;
@@ -153,14 +154,12 @@ pub fn write_figure(
     let numbers = outputs
         .iter()
         .any(|(_, format)| *format == FigureFormat::Csv);
-    let page = spec.draw(prepared, numbers)?;
-    let bytes = |(path, format): &(PathBuf, FigureFormat)| {
-        Ok((path.clone(), format.bytes(spec, prepared, &page)?))
-    };
-    let figures: Vec<_> = outputs
-        .iter()
-        .map(bytes)
-        .collect::<Result<_, ExportError>>()?;
+    let mut page = spec.draw(prepared, numbers)?;
+    let mut figures = Vec::new();
+    for (path, format) in outputs {
+        page.paper.recipe = Some(spec.recipe(&folder_of(path)));
+        figures.push((path.clone(), format.bytes(spec, prepared, &page)?));
+    }
     let specs = beside
         .into_iter()
         .map(|path| (path, spec.to_json().into_bytes()));

@@ -101,7 +101,7 @@ impl SavedSource {
 
 /// Relative path from a folder to a file, with `/` between the parts; `None` where there is none, as between two
 /// drives.
-fn relative(folder: &Path, file: &Path) -> Option<PathBuf> {
+pub fn relative(folder: &Path, file: &Path) -> Option<PathBuf> {
     let (folder, file) = (tidy(&absolute(folder)), tidy(file));
     let (from, to): (Vec<_>, Vec<_>) = (folder.components().collect(), file.components().collect());
     let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
@@ -116,7 +116,7 @@ fn relative(folder: &Path, file: &Path) -> Option<PathBuf> {
 }
 
 /// Path without `.` and `..`, resolved without looking at the disk.
-fn tidy(path: &Path) -> PathBuf {
+pub fn tidy(path: &Path) -> PathBuf {
     let mut tidy = PathBuf::new();
     for part in path.components() {
         match part {

@@ -43,6 +43,9 @@ fn a_picture_is_drawn_again_from_itself() {
     let spec = spec(&folder);
     let ends = ["svg", "pdf", "png"];
     let firsts = ends.map(|end| drawn(&spec, &folder.path(format!("first.{end}"))));
+    // Nobody who reads the picture learns where it was made.
+    let text = String::from_utf8_lossy(&firsts[0]);
+    assert!(text.contains("d.binary") && !text.contains(&folder.root().display().to_string()));
     fs::remove_file(&spec).expect("is removed");
     for end in ends {
         let picture = folder.path(format!("first.{end}"));
@@ -51,6 +54,13 @@ fn a_picture_is_drawn_again_from_itself() {
             assert!(&drawn(&picture, &again) == first, "{other} from {end}");
         }
     }
+    // Elsewhere it has the way to its data all the same.
+    let elsewhere = Folder::new();
+    drawn(&folder.path("first.pdf"), &elsewhere.path("far.svg"));
+    assert!(
+        drawn(&elsewhere.path("far.svg"), &elsewhere.path("again.pdf"))
+            == drawn(&elsewhere.path("far.svg"), &elsewhere.path("twice.pdf"))
+    );
     // Moved along with its data, as a spec is.
     let moved = Folder::new();
     for name in ["first.pdf", "d.binary"] {
@@ -59,7 +69,7 @@ fn a_picture_is_drawn_again_from_itself() {
     assert!(drawn(&moved.path("first.pdf"), &moved.path("again.svg")) == firsts[0]);
     fs::remove_file(moved.path("d.binary")).expect("is removed");
     let lost = figure(&moved.path("first.pdf"), &moved.path("lost.svg"));
-    failed(&lost, &folder.path("d.binary"), "is missing");
+    failed(&lost, &moved.path("d.binary"), "is missing");
 }
 
 #[test]
