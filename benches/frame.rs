@@ -234,7 +234,10 @@ impl Driver {
 
 impl eframe::App for Driver {
     /// The button that holds the slider: what views leave for the end of a drag, they leave here too.
-    fn raw_input_hook(&mut self, _ctx: &egui::Context, input: &mut egui::RawInput) {
+    fn raw_input_hook(&mut self, ctx: &egui::Context, input: &mut egui::RawInput) {
+        if let Content::App(app) = &mut self.content {
+            app.raw_input_hook(ctx, input);
+        }
         if self.first.is_none() {
             return;
         }

@@ -48,6 +48,9 @@ const PREFS_KEY: &str = "grazing.prefs";
 /// Key of the layout in the storage.
 const LAYOUT_KEY: &str = "grazing.layout";
 
+/// Width of the picture of all letters in pixels, at most.
+const LETTERS_SIDE: usize = 8192;
+
 /// Longest time that the end of the program waits for jobs that were told to stop.
 const PATIENCE: Duration = Duration::from_millis(300);
 
@@ -246,6 +249,12 @@ fn kept(cc: &eframe::CreationContext<'_>) -> Vec<Msg> {
 }
 
 impl eframe::App for App {
+    fn raw_input_hook(&mut self, _ctx: &egui::Context, input: &mut egui::RawInput) {
+        // egui makes its picture of all letters as wide as a texture can be. A window of several screens needs such ones,
+        // letters do not.
+        input.max_texture_side = input.max_texture_side.map(|side| side.min(LETTERS_SIDE));
+    }
+
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
         if self.shown_theme != Some(self.state.prefs.theme) {

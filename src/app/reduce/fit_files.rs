@@ -1,7 +1,7 @@
 //! Opening of a fit file: its models are laid over the materials that were fitted.
 
 use crate::app::msg::{Loaded, Task};
-use crate::app::reduce::opening::{add_material, load_with};
+use crate::app::reduce::opening::{add_materials, load_with};
 use crate::app::reduce::{edit, fit, notify};
 use crate::app::state::State;
 use crate::app::state::fitting::kept::KeptFit;
@@ -32,13 +32,8 @@ pub(crate) fn open(state: &mut State, path: &Path, all: Vec<MaterialFits>) -> Ve
     if let Some(text) = what_is_missing(path, &without) {
         notify(state, Severity::Info, text);
     }
-    for fits in without {
-        add_material(
-            state,
-            Origin::File(path.to_owned()),
-            Loaded::alone(Box::new(fits)),
-        );
-    }
+    let without = without.into_iter().map(Box::new).map(Loaded::alone);
+    add_materials(state, &Origin::File(path.to_owned()), without.collect());
     tasks
 }
 
@@ -313,5 +308,24 @@ mod tests {
         done(&mut state, job, at_end, EndReason::Converged);
         assert_eq!(state.scene.opened[1].brdf, at_end);
         assert_eq!(state.scene.opened[0].brdf.params.s, 8.0);
+    }
+
+    #[test]
+    fn all_models_of_a_file_are_opened_in_one_step() {
+        let mut state = two();
+        let brdf = state.scene.opened[0].brdf;
+        let Msg::FitsRead { job, path, fits } = file("alone 0", brdf) else {
+            panic!("a file")
+        };
+        let others = (1..4).map(|k| MaterialFits {
+            name: format!("alone {k}"),
+            ..fits[0].clone()
+        });
+        let fits = fits.iter().cloned().chain(others).collect();
+        apply(&mut state, Msg::FitsRead { job, path, fits });
+        assert_eq!(state.scene.opened.len(), 2 + 4);
+        assert_eq!(state.scene.selected, 5);
+        apply(&mut state, Msg::Run(Command::Undo));
+        assert_eq!(state.scene.opened.len(), 2);
     }
 }

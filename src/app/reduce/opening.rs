@@ -68,6 +68,40 @@ pub(crate) fn add_material_at(
     loaded: Loaded,
     replaced: Option<MaterialId>,
 ) -> MaterialId {
+    let opened = take_in(state, origin, loaded);
+    put(state, |scene| {
+        let place = |other: &Opened| Some(other.id) == replaced;
+        scene.selected = match scene.opened.iter().position(place) {
+            Some(index) => {
+                scene.opened[index] = opened;
+                index
+            }
+            None => {
+                scene.opened.push(opened);
+                scene.opened.len() - 1
+            }
+        };
+    });
+    opened.id
+}
+
+/// Adds all that a file has brought, in one step.
+pub(crate) fn add_materials(state: &mut State, origin: &Origin, all: Vec<Loaded>) {
+    if all.is_empty() {
+        return;
+    }
+    let all: Vec<Opened> = all
+        .into_iter()
+        .map(|loaded| take_in(state, origin.clone(), loaded))
+        .collect();
+    put(state, |scene| {
+        scene.opened.extend(all);
+        scene.selected = scene.opened.len() - 1;
+    });
+}
+
+/// Keeps what is loaded as a material; the place that it takes in a scene.
+fn take_in(state: &mut State, origin: Origin, loaded: Loaded) -> Opened {
     let brdf = loaded.brdf();
     let measured = loaded.table.valid_count() > 0;
     let id = MaterialId(state.fresh_id());
@@ -89,35 +123,25 @@ pub(crate) fn add_material_at(
     if let Some(fits) = &loaded.fits {
         fit_files::arrived(state, id, fits);
     }
-    let opened = Opened {
+    Opened {
         id,
         brdf,
         beside: false,
-    };
-    let add = |scene: &mut Scene| {
-        let place = |other: &Opened| Some(other.id) == replaced;
-        scene.selected = match scene.opened.iter().position(place) {
-            Some(index) => {
-                scene.opened[index] = opened;
-                index
-            }
-            None => {
-                scene.opened.push(opened);
-                scene.opened.len() - 1
-            }
-        };
-    };
+    }
+}
+
+/// Changes the scene by what was opened, as a step of its own.
+fn put(state: &mut State, add: impl FnOnce(&mut Scene)) {
     if state.scene.opened.is_empty() && !state.history.can_undo() {
         // The first material is where the story begins, not a step of it.
         add(&mut state.scene);
-        return id;
+        return;
     }
-    // A drag may be under way: opening is a step of its own.
+    // A drag may be under way.
     state.history.settle(&state.scene);
     edit(state, add);
     state.history.settle(&state.scene);
     forget_unreachable(state);
-    id
 }
 
 /// Closes an open material, by position; a fit of it is stopped and forgotten.

@@ -41,6 +41,10 @@ pub(super) struct Guarded {
 }
 
 impl eframe::App for Guarded {
+    fn raw_input_hook(&mut self, ctx: &egui::Context, input: &mut egui::RawInput) {
+        self.app.raw_input_hook(ctx, input);
+    }
+
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
         if self.lost.load(Ordering::Acquire) {
             let close = Msg::Session(SessionMsg::Close(Close::BySystem));

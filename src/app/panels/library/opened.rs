@@ -12,7 +12,14 @@ use crate::measured::samples::SAMPLES;
 /// Draws the rows.
 pub fn opened_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     for index in 0..state.scene.opened.len() {
-        material_ui(ui, state, index, out);
+        let size = egui::vec2(ui.available_width(), ui.spacing().interact_size.y);
+        let row = egui::Rect::from_min_size(ui.cursor().min, size);
+        // A fit file may have brought thousands.
+        if ui.is_rect_visible(row) {
+            material_ui(ui, state, index, out);
+        } else {
+            ui.allocate_space(size);
+        }
     }
     if state.scene.opened.is_empty() && state.jobs.is_empty() {
         ui.weak("Nothing is open. Open a MERL or fit file or a folder, drop them here, or take a sample.");
