@@ -28,3 +28,13 @@ impl Folder {
         path
     }
 }
+
+/// The files in a folder, sorted by their names.
+pub fn left_in(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).expect("a folder");
+    let mut paths: Vec<PathBuf> = entries
+        .map(|entry| entry.expect("an entry").path())
+        .collect();
+    paths.sort();
+    paths
+}

@@ -2,7 +2,7 @@
 #![cfg(target_os = "linux")]
 
 use crate::common::display::{Display, Running};
-use crate::common::folder::Folder;
+use crate::common::folder::{Folder, left_in};
 use crate::common::merl::merl_file;
 use crate::common::real_window::{grazing_on, until_window_of};
 use crate::common::wait::settle;
@@ -18,16 +18,6 @@ fn kill(process: &mut Running, signal: &str) -> ExitStatus {
         .status();
     assert!(sent.expect("kill").success());
     process.0.wait().expect("it ends")
-}
-
-/// Names in a folder.
-fn names(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).expect("a folder").flatten();
-    let mut names: Vec<String> = entries
-        .map(|entry| entry.file_name().to_string_lossy().into())
-        .collect();
-    names.sort();
-    names
 }
 
 /// Waits until a process has written a part of a file in a folder, named or not; whether it came to that.
@@ -85,7 +75,7 @@ fn a_command_that_is_killed_while_it_writes_leaves_the_old_file_and_no_litter() 
             let left = fs::read(&target).expect("is there");
             let is_old = left == b"the old one";
             assert!(is_old || left == whole, "{name}: {} bytes", left.len());
-            assert_eq!(names(&out).len(), 1, "{name}, {signal}: {:?}", names(&out));
+            assert_eq!(left_in(&out), [target.as_path()], "{name}, {signal}");
             killed_within += usize::from(is_old);
             if killed_within == 3 {
                 break;
@@ -97,15 +87,14 @@ fn a_command_that_is_killed_while_it_writes_leaves_the_old_file_and_no_litter() 
 }
 
 /// What a window keeps for the next start.
-fn kept(home: &Folder) -> Vec<String> {
-    names(&home.path("grazing/autosave"))
+fn kept(home: &Folder) -> Vec<PathBuf> {
+    left_in(&home.path("grazing/autosave"))
 }
 
-fn until_kept(home: &Folder) {
-    settle(|| match kept(home) {
-        kept if kept.iter().any(|name| name.ends_with(".grazing.json")) => Ok(()),
-        kept => Err(format!("{kept:?}")),
-    });
+/// The file of these that ends so.
+fn ending<'p>(kept: &'p [PathBuf], end: &str) -> Option<&'p PathBuf> {
+    let has_end = |path: &&PathBuf| path.extension().is_some_and(|extension| extension == end);
+    kept.iter().find(has_end)
 }
 
 #[test]
@@ -117,13 +106,14 @@ fn a_window_that_the_system_ends_keeps_what_is_open() {
     let mut first = grazing_on(&display, home.root());
     let mut first = Running(first.arg(&file).spawn().expect("it runs"));
     until_window_of(&display, &mut first);
-    until_kept(&home);
-    let before = kept(&home);
+    let before = settle(|| match kept(&home) {
+        kept if ending(&kept, "json").is_some() => Ok(kept),
+        kept => Err(format!("{kept:?}")),
+    });
     let ended = kill(&mut first, "TERM");
     assert!(ended.success() || ended.signal().is_some(), "{ended}");
     assert_eq!(kept(&home), before, "what was open stays");
-    let lock = before.iter().find(|name| name.ends_with(".lock"));
-    let lock = home.path("grazing/autosave").join(lock.expect("a lock"));
+    let lock = ending(&before, "lock").expect("a lock");
     assert_eq!(
         fs::read_to_string(lock).expect("is there"),
         "ended by the system\n"
@@ -131,14 +121,11 @@ fn a_window_that_the_system_ends_keeps_what_is_open() {
     // The next start opens it again, keeps it as its own, and lets the old one go.
     let mut second = Running(grazing_on(&display, home.root()).spawn().expect("it runs"));
     until_window_of(&display, &mut second);
-    settle(|| match kept(&home) {
-        kept if kept.len() == 2 && kept != before => Ok(()),
+    let after = settle(|| match kept(&home) {
+        kept if kept.len() == 2 && kept != before => Ok(kept),
         kept => Err(format!("{kept:?}")),
     });
-    let session = kept(&home).into_iter().find(|name| name.ends_with(".json"));
-    let session = home
-        .path("grazing/autosave")
-        .join(session.expect("a session"));
+    let session = ending(&after, "json").expect("a session");
     let text = fs::read_to_string(session).expect("is there");
     assert!(text.contains("tin.binary"), "{text}");
 }

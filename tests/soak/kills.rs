@@ -2,7 +2,7 @@
 //! nothing else.
 
 use crate::common::display::Running;
-use crate::common::folder::Folder;
+use crate::common::folder::{Folder, left_in};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -36,12 +36,6 @@ const MODEL: &str = r#"{"model": "phong", "rho_d": [0.5, 0.4, 0.3], "k_s": [1, 2
 
 const FIGURE: &str = r#"{"subjects": [{"label": "m", "source": {"model": {"model": "phong", "rho_d": [0.5, 0.4, 0.3],
     "k_s": [1, 2, 3], "s": 20}}}], "rows": [{"panels": [{"subjects": [0], "view": {"sphere": {"show": "model"}}}]}]}"#;
-
-fn names(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).expect("a folder").flatten();
-    let names = entries.map(|entry| entry.file_name().to_string_lossy().into());
-    names.collect()
-}
 
 /// Kills each command so many times.
 pub fn run(each: usize, seed: u64) {
@@ -79,7 +73,7 @@ pub fn run(each: usize, seed: u64) {
         let said = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success(), "{args}: {said}");
         let whole = fs::read(&to).expect("is there");
-        let beside = names(&out);
+        let beside = left_in(&out);
         for _ in 0..each {
             fs::write(&to, OLD).expect("is written");
             let mut command = grazing(args, &to);
@@ -98,15 +92,15 @@ pub fn run(each: usize, seed: u64) {
             assert!(left == OLD || left == whole, "{args}: {} bytes", left.len());
             // A figure has its recipe beside it.
             assert!(
-                names(&out).iter().all(|name| beside.contains(name)),
+                left_in(&out).iter().all(|path| beside.contains(path)),
                 "{args}: {:?}",
-                names(&out)
+                left_in(&out)
             );
             kills += usize::from(!ended.success());
             within += usize::from(left == OLD);
         }
-        for name in names(&out) {
-            fs::remove_file(out.join(name)).expect("is removed");
+        for path in left_in(&out) {
+            fs::remove_file(path).expect("is removed");
         }
     }
     println!(

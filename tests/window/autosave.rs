@@ -1,6 +1,6 @@
 //! What is open is kept for a crash, in the real window: written, offered, restored, thrown away.
 
-use crate::common::folder::Folder;
+use crate::common::folder::{Folder, left_in};
 use crate::common::records::write_merl;
 use crate::common::window::{
     Window, click, close, data, kept_in, names, run, said, set_slider, settle, settle_on,
@@ -9,14 +9,6 @@ use egui_kittest::kittest::Queryable;
 use grazing::app::command::Command;
 use std::fs;
 use std::path::{Path, PathBuf};
-
-/// The sessions and locks in the folder.
-fn left_in(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).expect("a folder");
-    entries
-        .map(|entry| entry.expect("an entry").path())
-        .collect()
-}
 
 /// Lets time pass until what is open is kept. Steps are 0.03 s for the window.
 fn until_kept(window: &mut Window, folder: &Path) -> PathBuf {

@@ -1,6 +1,6 @@
 //! The end of the window: work that is in no file is asked about, and what the system ends comes back.
 
-use crate::common::folder::Folder;
+use crate::common::folder::{Folder, left_in};
 use crate::common::records::write_merl;
 use crate::common::window::{
     Window, click, close, data, kept_in, names, press, run, said, send, set_slider, settle,
@@ -13,7 +13,6 @@ use grazing::app::WindowOptions;
 use grazing::app::command::Command;
 use grazing::app::msg::Msg;
 use grazing::app::state::layout::Tiles;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 const QUESTION: &str = "Save the session before closing?";
@@ -55,13 +54,6 @@ fn closes(window: &mut Window) {
             .contains(&ViewportCommand::Close)
             .then_some(())
     });
-}
-
-fn left_in(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).expect("a folder");
-    entries
-        .map(|entry| entry.expect("an entry").path())
-        .collect()
 }
 
 /// Lets time pass until what is open is kept.
