@@ -3,6 +3,7 @@
 use grazing::app::session;
 use grazing::brdf;
 use grazing::export::FigureSpec;
+use grazing::figure::faults::Faults;
 use grazing::files::{self, FileError, directions, fits, folder};
 use grazing::measured::merl::{self, MerlError};
 use grazing::measured::{Grid, Lookup};
@@ -11,8 +12,8 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::LazyLock;
 
-/// Characters that a message has at most: 120 of what it quotes, a second time where it proposes something, and its own.
-const LONGEST: usize = 700;
+/// Characters that a message has at most: four values of 120 with their keys and what is expected, and the path.
+const LONGEST: usize = 1200;
 
 fn said(text: &str) {
     assert!(text.chars().count() <= LONGEST, "long: {text}");
@@ -103,10 +104,12 @@ pub fn figure(data: &[u8]) {
         return;
     };
     match FigureSpec::from_json(text) {
-        Ok(spec) => {
+        Ok(mut spec) => {
             let settled = spec.settled();
             assert_eq!(settled.to_json(), settled.settled().to_json());
-            if let Err(what) = settled.style.check() {
+            let mut faults = Faults::default();
+            spec.sanitize(&mut faults);
+            if let Err(what) = faults.result() {
                 said(&what);
             }
         }
@@ -164,6 +167,6 @@ pub fn open(data: &[u8]) {
         failed(&error);
     }
     if let Err(error) = FigureSpec::open(&path) {
-        failed(&error);
+        said(&error.to_string());
     }
 }

@@ -194,6 +194,10 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     let go_on = &mut || ControlFlow::Continue(());
     let mut table = |source: &_| open_from_files(source, &folder, args.changed, &mut opened);
     let prepared = prepare(&spec, &mut table, go_on)?;
+    let spec = match args.changed {
+        true => spec.of_data(&folder, &opened),
+        false => spec,
+    };
     let kept = args.preset.is_none().then(|| args.files[0].as_path());
     let lacking = write_figure(&outputs, (&spec, &prepared), args.force, kept)?;
     if let Some(text) = lacking_text(&lacking) {
@@ -246,7 +250,7 @@ impl Args {
             .find(|(_, format)| *format == FigureFormat::Png);
         match png {
             Some((path, _)) if pixels > f64::from(MOST_PIXELS) => {
-                let path = path.display();
+                let path = quote::path(path);
                 usage(format!(
                     "a PNG of {pixels} pixels in a row; expected at most {MOST_PIXELS}: change --width or --dpi: {path}"
                 ))

@@ -208,6 +208,19 @@ impl SubjectSource {
 }
 
 impl FigureSpec {
+    /// The figure of the data that were opened, which may have changed since it was drawn first.
+    pub fn of_data(mut self, folder: &Path, opened: &OpenedTables) -> Self {
+        for file in self.measured_files() {
+            let place = place_of(file, folder).ok();
+            let found = place.and_then(|place| opened.get(&place)?.file.as_ref());
+            if let Some(found) = found {
+                file.bytes = found.bytes;
+                file.sha256.clone_from(&found.sha256);
+            }
+        }
+        self
+    }
+
     /// Draws it from what [`prepare`] has brought, with fonts of the system for letters that the font of figures lacks;
     /// `numbers` says whether its table is wanted too.
     ///

@@ -40,7 +40,8 @@ impl FigureSpec {
         }
     }
 
-    fn measured_files(&mut self) -> impl Iterator<Item = &mut SourceFile> {
+    /// The measured files that it names.
+    pub(super) fn measured_files(&mut self) -> impl Iterator<Item = &mut SourceFile> {
         let sources = self.subjects.iter_mut().map(|subject| &mut subject.source);
         sources.filter_map(|source| match source {
             SubjectSource::Measured { file, .. } => Some(file),

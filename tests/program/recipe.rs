@@ -73,6 +73,29 @@ fn a_picture_is_drawn_again_from_itself() {
 }
 
 #[test]
+fn a_picture_of_changed_data_has_the_recipe_of_these() {
+    let folder = Folder::new();
+    let spec = spec(&folder);
+    let data = folder.path("d.binary");
+    let sample = |name: &str| {
+        succeeded(&grazing(&[&"sample", &name, &"-o", &data, &"--force"]));
+    };
+    sample("hammered-gold");
+    let [changed, again] = ["changed.svg", "again.svg"].map(|name| folder.path(name));
+    let result = grazing(&[&"figure", &spec, &"--changed", &"-o", &changed]);
+    assert_eq!(result.status.code(), Some(0), "{}", stderr(&result));
+    assert!(drawn(&changed, &again) == fs::read(&changed).expect("a figure"));
+    // Planted: with the data of the first figure it is another one.
+    sample("violet-felt");
+    let refused = figure(&changed, &folder.path("third.svg"));
+    failed(
+        &refused,
+        &data,
+        "is not the one that the figure was drawn from",
+    );
+}
+
+#[test]
 fn a_picture_without_a_recipe_or_damaged_has_one_line() {
     let folder = Folder::new();
     let spec = spec(&folder);
