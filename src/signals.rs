@@ -26,6 +26,8 @@ pub fn watch(before: impl Fn() + Send + 'static) {
             before();
             remove_unfinished();
             let _ = emulate_default_handler(signal);
+            // Where that does not end it.
+            std::process::exit(128 + signal);
         }
     };
     let _ = std::thread::Builder::new()

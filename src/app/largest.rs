@@ -3,10 +3,9 @@
 use egui::{Context, Vec2, ViewportCommand};
 
 /// Keeps the window within what can be drawn.
-#[derive(Default)]
 pub(super) struct Largest {
-    /// Longest side in pixels, where there is a limit.
-    limit_px: Option<u32>,
+    /// Longest side in pixels.
+    limit_px: u32,
     /// Scale for which the desktop was told the limit.
     told: Option<f32>,
     /// Whether a window beyond it was met, which is said once.
@@ -17,17 +16,17 @@ impl Largest {
     /// Largest window with this longest side in pixels.
     pub fn of(limit_px: u32) -> Self {
         Self {
-            limit_px: Some(limit_px),
-            ..Self::default()
+            limit_px,
+            told: None,
+            said: false,
         }
     }
 
     /// Tells the desktop, and shrinks a window that has become larger all the same. Returns a sentence the first time it
     /// does. To be called once a frame.
     pub fn keep(&mut self, ctx: &Context) -> Option<String> {
-        let limit_px = self.limit_px?;
         let density = ctx.pixels_per_point();
-        let limit = limit_px as f32 / density;
+        let limit = self.limit_px as f32 / density;
         if self.told != Some(density) {
             self.told = Some(density);
             ctx.send_viewport_cmd(ViewportCommand::MaxInnerSize(Vec2::splat(limit)));
@@ -45,7 +44,8 @@ impl Largest {
             ctx.send_viewport_cmd(command);
         }
         let text = format!(
-            "The window is as large as this graphics adapter can draw it: {limit_px} pixels a side."
+            "The window is as large as this graphics adapter can draw it: {} pixels a side.",
+            self.limit_px
         );
         (!std::mem::replace(&mut self.said, true)).then_some(text)
     }

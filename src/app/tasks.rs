@@ -49,11 +49,7 @@ pub fn start(task: Task, state: &State, tools: &Tools, ctx: &egui::Context) {
         Task::PickFiles => {
             let open = Arc::clone(&picker.open);
             let some = move || Some(open()).filter(|paths| !paths.is_empty());
-            let opened = |paths: Option<Vec<PathBuf>>, send: &SendMsg| {
-                if let Some(paths) = paths {
-                    send(Msg::OpenFiles(paths));
-                }
-            };
+            let opened = |paths: Vec<PathBuf>, send: &SendMsg| send(Msg::OpenFiles(paths));
             ask(
                 jobs,
                 picker,

@@ -63,7 +63,7 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<(), CliError> {
         }
     };
     match &args.output {
-        Some(path) => write_atomically(path, args.force, print)?,
+        Some(path) => write_atomically(path, args.force, |file| print(file))?,
         None => print(out)?,
     }
     Ok(())

@@ -62,6 +62,8 @@ pub fn run(args: &Args, out: &mut dyn Write) -> Result<(), CliError> {
     };
     super::spare_inputs("export", [path.as_path()], &[&args.source])?;
     let model = files::open_model(&args.source, args.index)?;
-    let write = |file: &mut dyn Write| format.write(&model.brdf, model.material.as_deref(), file);
-    Ok(write_atomically(path, args.force, write)?)
+    let material = model.material.as_deref();
+    Ok(write_atomically(path, args.force, |file| {
+        format.write(&model.brdf, material, file)
+    })?)
 }

@@ -6,15 +6,15 @@ pub(super) use parse::exposure;
 
 use super::{CliError, eval};
 use crate::brdf::Brdf;
-use crate::figure::sphere_image::{LinearImage, SphereSource, render};
+use crate::figure::sphere_image::{SphereSource, render};
 use crate::figure::subject::Source;
-use crate::files::{self, FileError, fits, write_atomically};
+use crate::files::{self, FileError, WriteSeek, fits, write_atomically};
 use crate::geom::Rgb;
 use crate::geom::sphere::SphereView;
 use crate::measured::Lookup;
 use clap::ValueEnum;
-use std::fs::File;
-use std::io::{self, BufWriter, Seek as _};
+use image::ImageError;
+use std::io;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
@@ -117,12 +117,16 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     };
     let mut picture = render(&source, &view, args.size.into());
     picture.background = args.background.color();
-    let mut encoded = encode(&picture, format, &args.output).map_err(|error| {
-        FileError::new(&args.output, format!("cannot make the picture: {error}"))
-    })?;
-    let write = |file: &mut dyn io::Write| {
-        encoded.rewind()?;
-        io::copy(&mut encoded, file).map(drop)
+    let write = |file: &mut dyn WriteSeek| match format {
+        PictureFormat::Png => picture.write_png(file).map_err(|error| match error {
+            ImageError::IoError(error) => error,
+            error => io::Error::other(error),
+        }),
+        // A large one is never whole in memory.
+        PictureFormat::Exr => picture.write_exr(file).map_err(|error| match error {
+            exr::error::Error::Io(error) => error,
+            error => io::Error::other(error),
+        }),
     };
     Ok(write_atomically(&args.output, args.force, write)?)
 }
@@ -137,25 +141,6 @@ fn format_of(path: &Path) -> Result<PictureFormat, FileError> {
         let what = "the extension does not say what to write; expected .png or .exr";
         Err(FileError::new(path, what))
     }
-}
-
-/// The bytes of the file in one without a name beside it: an EXR has no end before all of it is there, and a large one would
-/// fill the memory.
-fn encode(picture: &LinearImage, format: PictureFormat, beside: &Path) -> Result<File, String> {
-    let folder = beside
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty());
-    let file = tempfile::tempfile_in(folder.unwrap_or(Path::new(".")));
-    let mut file = BufWriter::new(file.map_err(|error| error.to_string())?);
-    match format {
-        PictureFormat::Png => picture
-            .write_png(&mut file)
-            .map_err(|error| error.to_string()),
-        PictureFormat::Exr => picture
-            .write_exr(&mut file)
-            .map_err(|error| error.to_string()),
-    }?;
-    file.into_inner().map_err(|error| error.to_string())
 }
 
 fn sphere_source(args: &Args) -> Result<SphereSource, FileError> {

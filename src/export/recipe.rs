@@ -1,6 +1,8 @@
-//! The recipe that a picture carries, from its file.
+//! Figures from their files: from a spec, or from the recipe that a picture carries.
 
+use super::error::ExportError;
 use super::spec::{FigureSpec, SubjectSource};
+use crate::figure::faults::Faults;
 use crate::figure::write::recipe::{PictureKind, plain};
 use crate::files::session::{relative, tidy};
 use crate::files::{self, FileError, SourceFile};
@@ -10,6 +12,25 @@ use std::path::{Path, PathBuf};
 const MOST: u64 = 512 << 20;
 
 impl FigureSpec {
+    /// Reads a figure from a file, or from the recipe that a picture carries; all of it can be drawn.
+    ///
+    /// # Errors
+    /// One line with the path last.
+    pub fn open(path: &Path) -> Result<Self, ExportError> {
+        let text = match recipe_in(path)? {
+            Some(text) => text,
+            None => files::read_text(path)?,
+        };
+        let read = || {
+            let mut spec = Self::from_json(&text)?;
+            spec.find_from(&folder_of(path));
+            let mut faults = Faults::default();
+            spec.sanitize(&mut faults);
+            faults.result().map(|()| spec)
+        };
+        read().map_err(|what| ExportError::Spec(FileError::new(path, what)))
+    }
+
     /// The recipe as a picture in this folder carries it: the spec in one line. Measured files are named by their paths from
     /// there: a published picture does not tell where its author works.
     pub fn recipe(&self, folder: &Path) -> String {
@@ -26,7 +47,7 @@ impl FigureSpec {
 
     /// Names the measured files by whole paths, as they are found from the folder of the spec or the picture: the figure may be
     /// drawn elsewhere. A path at which there is none is left, but begins at the root.
-    pub(super) fn find_from(&mut self, folder: &Path) {
+    fn find_from(&mut self, folder: &Path) {
         for file in self.measured_files() {
             let [first, beside] = file.places(folder);
             let found = if !first.is_file() && beside.is_file() {

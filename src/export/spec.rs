@@ -1,14 +1,12 @@
 //! A figure as a file: everything that it takes to draw it again.
 
-use super::error::ExportError;
 use super::fit_output;
-use super::recipe::{folder_of, recipe_in};
 use crate::brdf::Brdf;
 use crate::figure::faults::Faults;
 use crate::figure::page::{self, PageSpec, RowSpec, Style};
 use crate::figure::subject::Look;
+use crate::files;
 use crate::files::fits::SourceFile;
-use crate::files::{self, FileError};
 use crate::json;
 use crate::keys;
 use crate::measured::{Lookup, SAMPLES, SyntheticMaterial};
@@ -151,25 +149,6 @@ impl FigureSpec {
                 keys => format!("not a figure: {}: {said}", shown(&keys.join("."))),
             }
         })
-    }
-
-    /// Reads a figure from a file, or from the recipe that a picture carries; all of it can be drawn.
-    ///
-    /// # Errors
-    /// One line with the path last.
-    pub fn open(path: &Path) -> Result<Self, ExportError> {
-        let text = match recipe_in(path)? {
-            Some(text) => text,
-            None => files::read_text(path)?,
-        };
-        let read = || {
-            let mut spec = Self::from_json(&text)?;
-            spec.find_from(&folder_of(path));
-            let mut faults = Faults::default();
-            spec.sanitize(&mut faults);
-            faults.result().map(|()| spec)
-        };
-        read().map_err(|what| ExportError::Spec(FileError::new(path, what)))
     }
 
     /// Brings every value to the nearest that can be drawn, and names those that it changed.

@@ -27,4 +27,4 @@ pub use open::{
 };
 pub use paths::{absolute, is_same_file, last_name, material_name, named_place, place};
 pub use temporary::{PREFIX as TEMPORARY_PREFIX, remove_unfinished};
-pub use write::{Whole, check_writable, prepare_and_fill, write_atomically};
+pub use write::{Whole, WriteSeek, check_writable, prepare_and_fill, write_atomically};

@@ -50,7 +50,9 @@ impl Temporary {
     pub fn persist(self, target: &Path, replace: bool) -> io::Result<()> {
         match self {
             #[cfg(target_os = "linux")]
-            Self::Unnamed { file, folder } => unnamed::persist(&file, &folder, target, replace),
+            Self::Unnamed { file, folder } => {
+                unnamed::persist(&file, &folder.join(PREFIX), target, replace)
+            }
             Self::Named(named) => named.persist(target, replace),
         }
     }
@@ -63,12 +65,15 @@ fn unfinished() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Removes what is not finished. To be called where the process ends in the middle of its work.
+/// Removes what is not finished. To be called right before the process ends in the middle of its work: nothing gets a name
+/// any more, as whoever is about to give one waits for ever.
 pub fn remove_unfinished() {
-    for path in std::mem::take(&mut *unfinished()) {
+    let unfinished = unfinished();
+    for path in &*unfinished {
         // One that is gone is as it should be.
         let _ = fs::remove_file(path);
     }
+    std::mem::forget(unfinished);
 }
 
 /// A temporary file with a name.
@@ -79,6 +84,13 @@ pub(super) struct Named {
 
 /// A path among the unfinished ones.
 struct Listed(PathBuf);
+
+impl Listed {
+    fn new(path: &Path) -> Self {
+        unfinished().insert(path.to_owned());
+        Self(path.to_owned())
+    }
+}
 
 impl Drop for Listed {
     fn drop(&mut self) {
@@ -97,12 +109,8 @@ impl Named {
             builder.permissions(fs::Permissions::from_mode(0o666));
         }
         let file = builder.tempfile_in(folder)?;
-        let path = file.path().to_owned();
-        unfinished().insert(path.clone());
-        Ok(Self {
-            file,
-            listed: Listed(path),
-        })
+        let listed = Listed::new(file.path());
+        Ok(Self { file, listed })
     }
 
     fn persist(self, target: &Path, replace: bool) -> io::Result<()> {
@@ -120,7 +128,7 @@ impl Named {
 /// Unnamed files of Linux: made by `O_TMPFILE`, named by a link when they are whole.
 #[cfg(target_os = "linux")]
 mod unnamed {
-    use super::PREFIX;
+    use super::Listed;
     use rustix::fs::{AtFlags, CWD, OFlags, linkat};
     use std::fs::{self, File};
     use std::io;
@@ -138,8 +146,8 @@ mod unnamed {
         options.open(folder)
     }
 
-    /// A link never replaces a file, so it gets a name beside that first, and is renamed at once.
-    pub fn persist(file: &File, folder: &Path, target: &Path, replace: bool) -> io::Result<()> {
+    /// A link never replaces a file, so it gets a name first that begins with `beside`, and is renamed at once.
+    pub fn persist(file: &File, beside: &Path, target: &Path, replace: bool) -> io::Result<()> {
         let linked = link(file, target);
         let exists = |result: &io::Result<()>| {
             result
@@ -150,14 +158,17 @@ mod unnamed {
             return linked;
         }
         for k in 0..TRIES {
-            let beside = folder.join(format!("{PREFIX}{}-{k}", std::process::id()));
-            let linked = link(file, &beside);
+            let mut named = beside.as_os_str().to_owned();
+            named.push(format!("{}-{k}", std::process::id()));
+            let beside = Path::new(&named);
+            let _listed = Listed::new(beside);
+            let linked = link(file, beside);
             if exists(&linked) {
                 continue;
             }
             linked?;
-            return fs::rename(&beside, target).inspect_err(|_| {
-                let _ = fs::remove_file(&beside);
+            return fs::rename(beside, target).inspect_err(|_| {
+                let _ = fs::remove_file(beside);
             });
         }
         linked

@@ -4,8 +4,13 @@ use super::error::FileError;
 use super::paths::followed;
 use super::temporary::Temporary;
 use std::fs;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
+
+/// A file that is being written. Some formats have parts that are known only at the end, and go back to fill them in.
+pub trait WriteSeek: Write + Seek {}
+
+impl<T: Write + Seek> WriteSeek for T {}
 
 /// Writes a file out of sight and puts it in its place when it is complete: no half-written file is ever visible, and an
 /// existing file is kept when anything fails. An existing file is refused unless `force`.
@@ -15,7 +20,7 @@ use std::path::{Path, PathBuf};
 pub fn write_atomically(
     path: &Path,
     force: bool,
-    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    write: impl FnOnce(&mut dyn WriteSeek) -> io::Result<()>,
 ) -> Result<(), FileError> {
     prepare_and_fill(path, force, write)?.place()
 }
@@ -27,7 +32,7 @@ pub fn write_atomically(
 pub fn prepare_and_fill(
     path: &Path,
     force: bool,
-    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    write: impl FnOnce(&mut dyn WriteSeek) -> io::Result<()>,
 ) -> Result<Whole, FileError> {
     let failed = |error: &io::Error| cannot_write(path, error);
     let (target, before, mut file) = prepare(path, force)?;

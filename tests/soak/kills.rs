@@ -93,7 +93,7 @@ pub fn run(each: usize, seed: u64) {
             // A figure has its recipe beside it.
             assert!(
                 left_in(&out).iter().all(|path| beside.contains(path)),
-                "{args}: {:?}",
+                "{args}, {signal}: {:?}",
                 left_in(&out)
             );
             kills += usize::from(!ended.success());

@@ -149,9 +149,26 @@ const fn saved(ending: &'static str, title: &'static str, filter: &'static str) 
     }
 }
 
-/// Asks for files, a folder or a place to write in the background, and does something with the answer, `None` where there
-/// is none. Says where there is no dialog, and where it has not come to the front for a while.
+/// Asks for files, a folder or a place to write in the background, and does something with the answer where there is one.
+/// Says where there is no dialog, and where it has not come to the front for a while.
 pub fn ask<T: Send + 'static>(
+    jobs: &Jobs,
+    picker: &Picker,
+    doing: &str,
+    purpose: Purpose,
+    dialog: impl FnOnce() -> Option<T> + Send + 'static,
+    answered: impl FnOnce(T, &SendMsg) + Send + 'static,
+) {
+    let answered = move |answer: Option<T>, send: &SendMsg| {
+        if let Some(answer) = answer {
+            answered(answer, send);
+        }
+    };
+    ask_and_hear(jobs, picker, doing, purpose, dialog, answered);
+}
+
+/// Asks as [`ask`] does, and does something also where there is no answer.
+pub fn ask_and_hear<T: Send + 'static>(
     jobs: &Jobs,
     picker: &Picker,
     doing: &str,
@@ -202,7 +219,8 @@ pub fn ask_and_write(
 ) {
     ask_and_do(jobs, picker, name, move |path| {
         // The dialog has asked about an existing file.
-        files::write_atomically(&path, true, write).map_err(|error| error.to_string())?;
+        files::write_atomically(&path, true, |file| write(file))
+            .map_err(|error| error.to_string())?;
         Ok(path)
     });
 }
@@ -215,11 +233,7 @@ pub fn ask_and_do(
     work: impl FnOnce(PathBuf) -> Result<PathBuf, String> + Send + 'static,
 ) {
     let (save, doing) = (Arc::clone(&picker.save), format!("saving {name}"));
-    let answered = move |path: Option<PathBuf>, send: &SendMsg| {
-        if let Some(path) = path {
-            send(saved_notice(work(path)));
-        }
-    };
+    let answered = move |path, send: &SendMsg| send(saved_notice(work(path)));
     ask(
         jobs,
         picker,

@@ -7,7 +7,6 @@ use crate::app::msg::Msg;
 use crate::app::msg::library::{LibraryMsg, LibraryTask};
 use crate::app::msg::work::SendMsg;
 use crate::files::fits::write_json;
-use std::path::PathBuf;
 use std::sync::Arc;
 
 /// Starts a task. None waits here.
@@ -28,11 +27,7 @@ pub fn start(task: LibraryTask, jobs: &Jobs, picker: &Picker) {
         LibraryTask::Fit(fit) => folder_fit::start(*fit, jobs),
         LibraryTask::Pick => {
             let folder = Arc::clone(&picker.folder);
-            let open = |path: Option<PathBuf>, send: &SendMsg| {
-                if let Some(path) = path {
-                    send(Msg::Library(LibraryMsg::Open(path)));
-                }
-            };
+            let open = |path, send: &SendMsg| send(Msg::Library(LibraryMsg::Open(path)));
             ask(
                 jobs,
                 picker,

@@ -1,7 +1,7 @@
 //! Tasks of sessions.
 
 use crate::app::jobs::Jobs;
-use crate::app::jobs::dialogs::{Picker, Purpose, ask, saved_notice};
+use crate::app::jobs::dialogs::{Picker, Purpose, ask, ask_and_hear, saved_notice};
 use crate::app::msg::Msg;
 use crate::app::msg::session::{SessionMsg, SessionTask};
 use crate::app::msg::work::{SendMsg, Work};
@@ -39,7 +39,7 @@ pub fn start(task: SessionTask, jobs: &Jobs, picker: &Picker) {
                 Some(path) => save((number, mark), *session, &path, true, send),
                 None => send(Msg::Session(SessionMsg::NotSaved)),
             };
-            ask(
+            ask_and_hear(
                 jobs,
                 picker,
                 "saving the session",
@@ -50,10 +50,8 @@ pub fn start(task: SessionTask, jobs: &Jobs, picker: &Picker) {
         }
         SessionTask::Locate(wanted) => {
             let open = Arc::clone(&picker.open);
-            let found = move |path: Option<PathBuf>, send: &SendMsg| {
-                if let Some(path) = path {
-                    send(Msg::Session(SessionMsg::Located(beside(&path, wanted))));
-                }
+            let found = move |path: PathBuf, send: &SendMsg| {
+                send(Msg::Session(SessionMsg::Located(beside(&path, wanted))));
             };
             let first = move || open().into_iter().next();
             ask(
