@@ -6,6 +6,7 @@
 //! - memory beyond the table for arranging it and fitting all six: goal ≤ 64 MiB;
 //! - how long a fit goes on after it is told to stop, at many moments: goal < 100 ms.
 
+use grazing::brdf::params::lobe_values;
 use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
 use grazing::fit::options::NO_LIMIT;
 use grazing::fit::{FitOptions, Problem, Stage, StageSet, Variant, Weight, fit, fit_all};
@@ -36,8 +37,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         params: Params {
             rho_d: [0.2; 3],
             k_s: [10.0; 3],
-            s: 60.0,
-            alpha: 0.6,
+            lobe: lobe_values([60.0, 0.6]),
             eta: 1.5,
         },
     };
@@ -218,17 +218,18 @@ impl Plain {
                 * c.cos_theta_i
                 * c.cos_theta_o;
             energy += weight * f_r.iter().sum::<f64>();
-            cells.push((c.wr_wo.cos, c.wh_n.cos.powi(4), c.wi_dot_wh, weight, f_r));
+            cells.push((c.wr_wo.cos, c.wh_n.cos.powi(4), c.wi_wh.cos, weight, f_r));
         }
         Self { cells, energy }
     }
 
     fn error(&self, brdf: &Brdf) -> f64 {
         let p = &brdf.params;
+        let [s, alpha, ..] = p.lobe;
         let mut sum = 0.0;
         for (wr_wo, wh_n_4, wi_dot_wh, weight, f_r) in &self.cells {
-            let base: f64 = (1.0 - p.alpha) * wr_wo + p.alpha * wh_n_4;
-            let shape = brdf.fresnel.reflectance(*wi_dot_wh, p.eta) * base.powf(p.s);
+            let base: f64 = (1.0 - alpha) * wr_wo + alpha * wh_n_4;
+            let shape = brdf.fresnel.reflectance(*wi_dot_wh, p.eta) * base.powf(s);
             for (k, f_r) in f_r.iter().enumerate() {
                 sum += weight * (p.rho_d[k] / PI + p.k_s[k] * shape - f_r).abs();
             }

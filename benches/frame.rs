@@ -281,7 +281,7 @@ impl eframe::App for Driver {
                 app.handle(
                     &ctx,
                     Msg::SetParam {
-                        id: ParamId::S,
+                        id: ParamId("s"),
                         channel: None,
                         value: self.s,
                     },

@@ -1,5 +1,6 @@
 //! Files that the program writes, as a beginning for each target: where SEEDS names a folder, they are written there.
 
+use grazing::brdf::COMBINED;
 use grazing::app::msg::{Loaded, Msg};
 use grazing::app::reduce;
 use grazing::app::session::file::SessionFile;
@@ -71,7 +72,7 @@ fn models() -> Vec<String> {
     let of = |model, fresnel| Brdf {
         model,
         fresnel,
-        params: Params::default(),
+        params: COMBINED.default_params(),
     };
     let all = MODELS
         .into_iter()
@@ -160,7 +161,7 @@ fn figures() -> Vec<String> {
             source: SubjectSource::sample(SAMPLES[0].key),
             models: models
                 .iter()
-                .map(|variant| variant.with(Params::default()))
+                .map(|variant| variant.with(COMBINED.default_params()))
                 .collect(),
         };
         preset.figure(&[material], &options).to_json()

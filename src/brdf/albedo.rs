@@ -9,7 +9,7 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Directional-hemispherical reflectance ∫ f_r cos θo dωo of light from `theta_i` in [0, π/2) radians.
 ///
-/// Right to 1e-4 of the specular part for s up to 4e5 and angles up to 89°.
+/// Right to 1e-4 of the specular part for needles as for broad lobes, and for angles up to 89°.
 pub fn albedo(brdf: &Brdf, theta_i: f64) -> Rgb {
     let specular = specular_integral(brdf, theta_i);
     std::array::from_fn(|k| brdf.params.rho_d[k] + brdf.params.k_s[k] * specular)
@@ -17,13 +17,13 @@ pub fn albedo(brdf: &Brdf, theta_i: f64) -> Rgb {
 
 /// Specular part for k_s = 1: ∫ R_F · lobe · cos θo dωo.
 ///
-/// In polar coordinates (ψ, β) around the peak: ψ is the angle between wo and wr, where a Phong lobe is round, or
-/// twice θh, where a Blinn-Phong lobe is round. β = 0 points down to the horizon. In both
+/// In polar coordinates (ψ, β) around the mirror direction: ψ is the angle between wo and wr, where a Phong lobe is
+/// round, or twice θh, where a Blinn-Phong lobe is round. β = 0 points down to the horizon. In both
 /// `cos θo = cos θi cos ψ − sin θi sin ψ cos β`, so the horizon is the same curve.
 fn specular_integral(brdf: &Brdf, theta_i: f64) -> f64 {
     let peak = Peak::new(brdf, theta_i);
     // Along β = 90° the lobe and the horizon change within this angle, along 0° and 180° the lobe does.
-    let fine = (0.5 * peak.cos_theta_i).min(0.5 / peak.stretch().sqrt());
+    let fine = (0.5 * peak.cos_theta_i).min(0.5 / peak.stretch());
     let mut sum = 0.0;
     for quarter in [0.0, FRAC_PI_2] {
         let mut breaks = vec![0.0];
@@ -35,16 +35,13 @@ fn specular_integral(brdf: &Brdf, theta_i: f64) -> f64 {
     2.0 * sum
 }
 
-/// Integrand for one direction of incidence, in polar coordinates around the peak in which the lobe is as round as can
-/// be.
+/// Integrand for one direction of incidence, in polar coordinates around the mirror direction in which the lobe is as
+/// round as can be.
 struct Peak<'a> {
     brdf: &'a Brdf,
     wi: DVec3,
     cos_theta_i: f64,
     sin_theta_i: f64,
-    /// Exponent s of the combined model.
-    s: f64,
-    alpha: f64,
     /// Whether ψ is 2 θh instead of the angle to wr.
     by_half_vector: bool,
 }
@@ -58,8 +55,6 @@ impl<'a> Peak<'a> {
             wi: direction(cos_theta_i.acos(), 0.0),
             cos_theta_i,
             sin_theta_i: (1.0 - cos_theta_i * cos_theta_i).sqrt(),
-            s: brdf.params.s / brdf.model.exponent_ratio,
-            alpha: brdf.model.alpha.unwrap_or(brdf.params.alpha),
             by_half_vector: false,
         };
         let round_the_mirror = peak.stretch();
@@ -68,32 +63,40 @@ impl<'a> Peak<'a> {
         peak
     }
 
-    /// Ratio, ≥ 1, of the curvatures of the lobe's peak along the two axes of these coordinates.
-    ///
-    /// Near the peak the lobe is 1 − 2s (u² + (α + (1−α) cos² θi) v²), with u the tilt of wh in the plane of
-    /// incidence and v across; wo is moved by 2u and by 2v cos θi.
+    /// Ratio, ≥ 1, of the widths of the lobe's peak along the two axes of these coordinates.
     fn stretch(&self) -> f64 {
-        let cos2 = self.cos_theta_i * self.cos_theta_i;
-        let across = self.alpha + (1.0 - self.alpha) * cos2;
-        if self.by_half_vector {
-            1.0 / across
-        } else {
-            across / cos2
+        // Away from the horizon, where it goes on as long.
+        let along = self.width(-1.0, 0.0);
+        let across = self.width(0.0, 1.0);
+        (along / across).max(across / along)
+    }
+
+    /// ψ within which the lobe changes by a tenth along a ray, at most 1 rad.
+    fn width(&self, cos_beta: f64, sin_beta: f64) -> f64 {
+        let height = self.lobe(0.0, sin_beta, cos_beta);
+        let changed = |psi: f64| {
+            let lobe = self.lobe(psi, sin_beta, cos_beta);
+            !((0.9 * height..=height / 0.9).contains(&lobe))
+        };
+        // The first change, as a peak beside the mirror direction makes it rise and fall again.
+        let mut high = NARROWEST;
+        while high < 1.0 && !changed(high) {
+            high *= 4.0;
         }
+        let mut low = 0.25 * high;
+        for _ in 0..4 {
+            let middle = (low * high).sqrt();
+            *(if changed(middle) { &mut high } else { &mut low }) = middle;
+        }
+        high.min(1.0)
     }
 
     /// ∫ of the integrand over ψ at one β.
     fn along_ray(&self, beta: f64) -> f64 {
         let (sin_beta, cos_beta) = beta.sin_cos();
         let horizon = self.cos_theta_i.atan2(self.sin_theta_i * cos_beta);
-        let across = if self.by_half_vector {
-            1.0 / self.stretch()
-        } else {
-            self.stretch()
-        };
-        let curvature = self.s * (cos_beta * cos_beta + across * sin_beta * sin_beta);
-        let fine = (0.5 / curvature.sqrt()).min(0.5 * self.cos_theta_i);
-        let dark = self.end_of_phong(sin_beta, cos_beta, horizon);
+        let fine = (1.1 * self.width(cos_beta, sin_beta)).min(0.5 * self.cos_theta_i);
+        let dark = self.end_of_mirror(sin_beta, cos_beta, horizon);
         let mut sum = 0.0;
         let mut from = 0.0;
         for to in [dark, horizon] {
@@ -107,7 +110,7 @@ impl<'a> Peak<'a> {
                 breaks.push(to - (to - from) * 0.5 * 0.25_f64.powi(k));
             }
             breaks.push(to);
-            let dim = |psi: &f64| self.lobe(*psi, sin_beta, cos_beta) < NEGLIGIBLE;
+            let dim = |psi: &f64| self.lobe(*psi, sin_beta, cos_beta) < NEGLIGIBLE * self.height();
             if let Some(first) = breaks.iter().position(dim) {
                 breaks.truncate(first + 1);
             }
@@ -117,20 +120,27 @@ impl<'a> Peak<'a> {
         sum
     }
 
-    /// ψ at which wr·wo reaches 0 along a ray, where the clamp makes a kink; `horizon` where it does not.
-    fn end_of_phong(&self, sin_beta: f64, cos_beta: f64, horizon: f64) -> f64 {
-        if !self.by_half_vector {
-            return horizon.min(FRAC_PI_2);
-        }
+    /// The lobe in the mirror direction.
+    fn height(&self) -> f64 {
+        self.lobe(0.0, 0.0, 1.0)
+    }
+
+    /// ψ along a ray at which the lobe becomes 0 or wr·wo does, where the clamp makes a kink; `horizon` where neither.
+    fn end_of_mirror(&self, sin_beta: f64, cos_beta: f64, horizon: f64) -> f64 {
         let wr = mirror(self.wi);
-        let lit = |psi: f64| wr.dot(self.at(psi, sin_beta, cos_beta).0) > 0.0;
-        if self.alpha == 1.0 || lit(horizon) {
+        let is_dark = |psi: f64| self.lobe(psi, sin_beta, cos_beta) == 0.0;
+        let goes_dark = is_dark(horizon);
+        let ends = |psi: f64| match goes_dark {
+            true => is_dark(psi),
+            false => wr.dot(self.at(psi, sin_beta, cos_beta).0) <= 0.0,
+        };
+        if !ends(horizon) {
             return horizon;
         }
         let (mut low, mut high) = (0.0, horizon);
         for _ in 0..30 {
             let middle = 0.5 * (low + high);
-            *(if lit(middle) { &mut low } else { &mut high }) = middle;
+            *(if ends(middle) { &mut high } else { &mut low }) = middle;
         }
         low
     }
@@ -154,7 +164,7 @@ impl<'a> Peak<'a> {
 
     fn lobe(&self, psi: f64, sin_beta: f64, cos_beta: f64) -> f64 {
         let wo = self.at(psi, sin_beta, cos_beta).0;
-        (self.brdf.model.lobe)(&self.brdf.params, &Cosines::from_directions(self.wi, wo))
+        self.brdf.lobe(&Cosines::from_directions(self.wi, wo))
     }
 
     fn integrand(&self, psi: f64, sin_beta: f64, cos_beta: f64) -> f64 {
@@ -182,8 +192,11 @@ fn breaks_mirrored(breaks: &mut Vec<f64>, end: f64) {
     }
 }
 
-/// Value of the lobe below which its tail is not integrated. The Fresnel factor may be 1e9 times larger there.
+/// Share of the lobe's height below which its tail is not integrated. The Fresnel factor may be 1e9 times larger there.
 const NEGLIGIBLE: f64 = 1e-20;
+
+/// Narrowest width that is looked for, in rad.
+const NARROWEST: f64 = 1e-9;
 
 /// Nodes and weights of Gauss-Legendre with six points on [−1, 1]; the other half is mirrored.
 const GAUSS: [(f64, f64); 3] = [

@@ -6,7 +6,7 @@
 use super::fresnel::{FRESNELS, Fresnel};
 use super::model::{Brdf, Model};
 use super::models::MODELS;
-use super::params::Params;
+use super::params::{self, ParamId};
 use crate::json;
 use crate::keys::{did_you_mean, nearest};
 use crate::quote::{quoted, shown};
@@ -65,33 +65,27 @@ pub fn from_value(value: &Value) -> Result<Brdf, BrdfJsonError> {
         },
     };
     reject_misspelt_keys(object)?;
-    let mut brdf = Brdf {
-        model,
-        fresnel,
-        params: Params::default(),
-    };
-    for row in model.params {
-        if !brdf.uses(row.id) {
-            continue;
-        }
-        let values = brdf.params.get_mut(row.id);
+    let mut brdf = Brdf::new(model, fresnel);
+    for row in brdf.used() {
+        let key = row.key();
+        let values = brdf.get_mut(row.id);
         let expected = if row.id.is_color() {
             "an array of three numbers"
         } else {
             "a number"
         };
-        let found = match object.get(row.key) {
+        let found = match object.get(key) {
             None | Some(Value::Null) => {
                 let meant = nearest(
-                    row.key,
+                    key,
                     object.keys().map(String::as_str).filter(|key| !is_key(key)),
                 );
-                let found = meant.map_or_else(String::new, |key| {
-                    format!("; there is {}: did you mean `{}`?", quoted(key), row.key)
+                let found = meant.map_or_else(String::new, |found| {
+                    format!("; there is {}: did you mean `{key}`?", quoted(found))
                 });
                 return fail(format!(
-                    "\"{}\" ({}) is missing; expected {expected}{found}",
-                    row.key, row.name
+                    "\"{key}\" ({}) is missing; expected {expected}{found}",
+                    row.name
                 ));
             }
             Some(found) => found,
@@ -105,14 +99,13 @@ pub fn from_value(value: &Value) -> Result<Brdf, BrdfJsonError> {
         };
         let Some(numbers) = numbers.filter(|numbers| numbers.len() == values.len()) else {
             let found = shown(&found.to_string());
-            return fail(format!("\"{}\" must be {expected}, found {found}", row.key));
+            return fail(format!("\"{key}\" must be {expected}, found {found}"));
         };
         for (to, from) in values.iter_mut().zip(numbers) {
             if !row.accepts(from) {
                 let (low, high) = row.domain;
                 return fail(format!(
-                    "\"{}\" = {} is out of range; expected {low} to {high}",
-                    row.key,
+                    "\"{key}\" = {} is out of range; expected {low} to {high}",
                     shown(&from.to_string())
                 ));
             }
@@ -122,20 +115,24 @@ pub fn from_value(value: &Value) -> Result<Brdf, BrdfJsonError> {
     Ok(brdf)
 }
 
-/// JSON object of a BRDF; parameters that do not count are null.
+/// JSON object of a BRDF, with the keys of all models' parameters; those that do not count are null.
 pub fn to_value(brdf: &Brdf) -> Value {
     let mut object = Map::new();
     object.insert("model".into(), brdf.model.key.into());
     object.insert("fresnel".into(), brdf.fresnel.key().into());
-    for row in &super::params::ALL {
-        let value = match brdf.params.get(row.id) {
-            _ if !brdf.uses(row.id) => Value::Null,
-            [one] => (*one).into(),
-            many => many.into(),
-        };
-        object.insert(row.key.into(), value);
+    for row in params::all() {
+        object.insert(row.key().into(), parameter(brdf, row.id));
     }
     Value::Object(object)
+}
+
+/// JSON value of a parameter: a number or three; null where it does not count.
+pub fn parameter(brdf: &Brdf, id: ParamId) -> Value {
+    match brdf.get(id) {
+        _ if !brdf.uses(id) => Value::Null,
+        [one] => (*one).into(),
+        many => many.into(),
+    }
 }
 
 impl Serialize for Brdf {
@@ -183,15 +180,14 @@ pub fn from_text(text: &str, index: usize) -> Result<Brdf, BrdfJsonError> {
 
 /// Whether a key of an object is read as a part of a model.
 pub fn is_key(key: &str) -> bool {
-    let mut rows = super::params::ALL.iter();
-    ["model", "fresnel"].contains(&key) || rows.any(|row| row.key == key)
+    ["model", "fresnel"].contains(&key) || ParamId::by_key(key).is_some()
 }
 
 /// Rejects keys that differ from a known one only in capitals, dashes, underscores or spaces, `Fresnel`, `k-s`, and those a
 /// letter away from `fresnel`, without which there is none and nobody would be told. Others pass.
 fn reject_misspelt_keys(object: &Map<String, Value>) -> Result<(), BrdfJsonError> {
     let bare = |key: &str| key.to_lowercase().replace(['-', '_', ' '], "");
-    let rows = super::params::ALL.iter().map(|row| row.key);
+    let rows = params::all().map(params::Param::key);
     for known in rows.chain(["model", "fresnel"]) {
         let slip = |key: &str| known == "fresnel" && strsim::osa_distance(key, known) == 1;
         let meant = |key: &&String| {

@@ -2,12 +2,14 @@
 //!
 //! A [`Model`] is a row of [`MODELS`]: its parameters drive sliders, bounds, uniforms, file formats and tests.
 //! A new model is a file `models/x.rs`, its twin `models/x.wgsl` and a row. Twins write out the type of every `let` and `var`, since
-//! [`codegen`] makes GLSL of them.
+//! [`codegen`] makes GLSL of them, and take their parameters one by one in the order of the row.
 
 pub mod albedo;
+pub mod along_phi_d;
 pub mod codegen;
 pub mod fresnel;
 pub mod json;
+mod look;
 mod model;
 mod models;
 pub mod params;
@@ -15,9 +17,9 @@ pub mod wgsl;
 
 pub use albedo::albedo;
 pub use fresnel::Fresnel;
-pub use model::{Brdf, Model};
+pub use model::{Brdf, Contained, Model};
 pub use models::{BLINN_PHONG, COMBINED, MODELS, PHONG};
-pub use params::{Param, ParamId, Params, PerParam};
+pub use params::{LobeValues, Param, ParamId, Params};
 
 #[cfg(test)]
 mod tests;

@@ -1,147 +1,66 @@
-//! Parameters of the models: their values, and a row of properties for each.
+//! Parameters of a BRDF: their values, and a row of properties for each.
+//!
+//! ρ_d, k_s and η belong to every BRDF and have their rows here; the parameters of a lobe belong to its model.
 
+use super::models::MODELS;
 use crate::geom::Rgb;
-use std::ops::{Index, IndexMut};
+use std::sync::LazyLock;
 
-/// Parameter values of a BRDF. ρ_d and k_s are linear RGB; s, α, η are shared by the channels.
+/// Largest number of parameters of a lobe.
+pub const MOST_LOBE_PARAMS: usize = 4;
+
+/// Values of a lobe's parameters in the order of [`super::Model::params`]; 0 beyond them.
+pub type LobeValues = [f64; MOST_LOBE_PARAMS];
+
+/// Values of the first parameters of a lobe; 0 for the others.
+pub fn lobe_values<const N: usize>(first: [f64; N]) -> LobeValues {
+    std::array::from_fn(|k| first.get(k).copied().unwrap_or(0.0))
+}
+
+/// Parameter values of a BRDF. ρ_d and k_s are linear RGB; the others are shared by the channels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Params {
     /// Diffuse reflectance ρ_d, ≥ 0.
     pub rho_d: Rgb,
-    /// Specular amplitude k_s in 1/sr, ≥ 0.
+    /// Specular amplitude k_s, ≥ 0: what the lobe is multiplied with; in 1/sr where the lobe has no unit.
     pub k_s: Rgb,
-    /// Specular exponent, > 0.
-    pub s: f64,
-    /// Blend α: weight of the Blinn-Phong cosine in the combined model, in [0, 1].
-    pub alpha: f64,
+    /// Values of the lobe's parameters.
+    pub lobe: LobeValues,
     /// Relative index of refraction η, ≥ 1.
     pub eta: f64,
 }
 
-impl Params {
-    /// Values of a parameter: three for a colour, one otherwise.
-    pub fn get(&self, id: ParamId) -> &[f64] {
-        match id {
-            ParamId::RhoD => &self.rho_d,
-            ParamId::KS => &self.k_s,
-            ParamId::S => std::slice::from_ref(&self.s),
-            ParamId::Alpha => std::slice::from_ref(&self.alpha),
-            ParamId::Eta => std::slice::from_ref(&self.eta),
-        }
-    }
-
-    /// Mutable values of a parameter: three for a colour, one otherwise.
-    pub fn get_mut(&mut self, id: ParamId) -> &mut [f64] {
-        match id {
-            ParamId::RhoD => &mut self.rho_d,
-            ParamId::KS => &mut self.k_s,
-            ParamId::S => std::slice::from_mut(&mut self.s),
-            ParamId::Alpha => std::slice::from_mut(&mut self.alpha),
-            ParamId::Eta => std::slice::from_mut(&mut self.eta),
-        }
-    }
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        let mut params = Self {
-            rho_d: [0.0; 3],
-            k_s: [0.0; 3],
-            s: 0.0,
-            alpha: 0.0,
-            eta: 0.0,
-        };
-        for row in ALL {
-            params.get_mut(row.id).fill(row.default);
-        }
-        params
-    }
-}
-
-/// Identity of a parameter; the order is that of [`ALL`].
+/// Identity of a parameter: its name in files, on the command line and in shaders, e.g. "k_s".
+///
+/// Models share an identity where their parameters mean the same, as `s` is a specular exponent in each that has it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum ParamId {
-    /// Diffuse reflectance ρ_d.
-    RhoD,
-    /// Specular amplitude k_s.
-    KS,
-    /// Specular exponent s.
-    S,
-    /// Lobe blend α.
-    Alpha,
-    /// Relative index of refraction η.
-    Eta,
-}
+pub struct ParamId(pub &'static str);
 
 impl ParamId {
+    /// Diffuse reflectance ρ_d.
+    pub const RHO_D: Self = Self("rho_d");
+    /// Specular amplitude k_s.
+    pub const K_S: Self = Self("k_s");
+    /// Relative index of refraction η.
+    pub const ETA: Self = Self("eta");
+
+    /// Identity with this key; `None` where no model has such a parameter.
+    pub fn by_key(key: &str) -> Option<Self> {
+        all().find(|row| row.key() == key).map(|row| row.id)
+    }
+
     /// Whether the parameter has a value per channel: ρ_d and k_s.
     pub fn is_color(self) -> bool {
-        matches!(self, Self::RhoD | Self::KS)
+        self == Self::RHO_D || self == Self::K_S
     }
 
-    /// Name of the parameter in files and shaders, e.g. "rho_d".
+    /// Name of the parameter in files and shaders.
     pub fn key(self) -> &'static str {
-        ALL.iter()
-            .find(|row| row.id == self)
-            .map_or("", |row| row.key)
+        self.0
     }
 }
 
-/// A value of one type for each parameter; indexed by [`ParamId`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct PerParam<T> {
-    /// Value for the diffuse reflectance ρ_d.
-    pub rho_d: T,
-    /// Value for the specular amplitude k_s.
-    pub k_s: T,
-    /// Value for the specular exponent s.
-    pub s: T,
-    /// Value for the lobe blend α.
-    pub alpha: T,
-    /// Value for the relative index of refraction η.
-    pub eta: T,
-}
-
-impl<T> PerParam<T> {
-    /// Values made from the row of each parameter in [`ALL`], in that order.
-    pub fn from_rows(mut of: impl FnMut(&Param) -> T) -> Self {
-        Self {
-            rho_d: of(&RHO_D),
-            k_s: of(&K_S),
-            s: of(&S),
-            alpha: of(&ALPHA),
-            eta: of(&ETA),
-        }
-    }
-}
-
-impl<T> Index<ParamId> for PerParam<T> {
-    type Output = T;
-
-    fn index(&self, id: ParamId) -> &T {
-        match id {
-            ParamId::RhoD => &self.rho_d,
-            ParamId::KS => &self.k_s,
-            ParamId::S => &self.s,
-            ParamId::Alpha => &self.alpha,
-            ParamId::Eta => &self.eta,
-        }
-    }
-}
-
-impl<T> IndexMut<ParamId> for PerParam<T> {
-    fn index_mut(&mut self, id: ParamId) -> &mut T {
-        match id {
-            ParamId::RhoD => &mut self.rho_d,
-            ParamId::KS => &mut self.k_s,
-            ParamId::S => &mut self.s,
-            ParamId::Alpha => &mut self.alpha,
-            ParamId::Eta => &mut self.eta,
-        }
-    }
-}
-
-/// Scale of a slider: how values are spread along it.
+/// Scale of a parameter: how values are spread along its slider and in the search of a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scale {
     /// Linear.
@@ -153,13 +72,11 @@ pub enum Scale {
     },
 }
 
-/// Properties of a parameter: names, unit, range, default.
+/// Properties of a parameter: names, unit, ranges, default.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Param {
     /// Identity of the parameter.
     pub id: ParamId,
-    /// Name in files and on the command line, e.g. "k_s".
-    pub key: &'static str,
     /// Symbol, in the markup of [`crate::figure::text`].
     pub symbol: &'static str,
     /// Display name, e.g. "specular amplitude".
@@ -170,15 +87,46 @@ pub struct Param {
     pub range: (f64, f64),
     /// Range of accepted values when typed or read, (smallest, largest).
     pub domain: (f64, f64),
+    /// Bounds of a fit where the user sets none, (smallest, largest).
+    pub bounds: (f64, f64),
+    /// Meaning of a fit that ends at the smaller and at the larger of these bounds.
+    pub at_bounds: [AtBound; 2],
+    /// Values at which a fit looks for starts.
+    pub starts: Starts,
     /// Default value, which a reset restores.
     pub default: f64,
-    /// Scale of the slider.
+    /// Scale of the slider and of the search.
     pub scale: Scale,
     /// Description in one sentence.
     pub help: &'static str,
 }
 
+/// Values of a parameter at which a fit looks for starts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Starts {
+    /// So many per decade of the slider's range, which is above 0.
+    PerDecade(f64),
+    /// These.
+    At(&'static [f64]),
+}
+
+/// Meaning of an end of a fit at a default bound of a parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AtBound {
+    /// The best may lie beyond.
+    Unknown,
+    /// Nothing to remark: the bound is a value like any other.
+    Fine,
+    /// Explanation in one sentence, in plain characters.
+    Means(&'static str),
+}
+
 impl Param {
+    /// Name in files, on the command line and in shaders.
+    pub fn key(&self) -> &'static str {
+        self.id.key()
+    }
+
     /// Nearest accepted value; the default in place of NaN.
     pub fn clamp(&self, value: f64) -> f64 {
         if value.is_nan() {
@@ -195,28 +143,32 @@ impl Param {
 }
 
 /// Row of the diffuse reflectance ρ_d.
-pub const RHO_D: Param = Param {
-    id: ParamId::RhoD,
-    key: "rho_d",
+pub static RHO_D: Param = Param {
+    id: ParamId::RHO_D,
     symbol: "ρ_{d}",
     name: "diffuse reflectance",
     unit: "",
     range: (0.0, 1.0),
     domain: (0.0, 1e6),
+    bounds: (0.0, 1e6),
+    at_bounds: [AtBound::Fine; 2],
+    starts: Starts::At(&[]),
     default: 0.2,
     scale: Scale::Linear,
     help: "Share of the light that is scattered evenly in all directions.",
 };
 
 /// Row of the specular amplitude k_s.
-pub const K_S: Param = Param {
-    id: ParamId::KS,
-    key: "k_s",
+pub static K_S: Param = Param {
+    id: ParamId::K_S,
     symbol: "k_{s}",
     name: "specular amplitude",
     unit: "1/sr",
     range: (0.0, 1e5),
     domain: (0.0, 1e12),
+    bounds: (0.0, 1e12),
+    at_bounds: [AtBound::Fine; 2],
+    starts: Starts::At(&[]),
     default: 1.0,
     scale: Scale::Log {
         smallest_exponent: -4,
@@ -224,49 +176,40 @@ pub const K_S: Param = Param {
     help: "Height of the specular lobe before the Fresnel factor.",
 };
 
-/// Row of the specular exponent s.
-pub const S: Param = Param {
-    id: ParamId::S,
-    key: "s",
-    symbol: "s",
-    name: "specular exponent",
-    unit: "",
-    range: (0.01, 1e5),
-    domain: (1e-3, 1e7),
-    default: 50.0,
-    scale: Scale::Log {
-        smallest_exponent: -2,
-    },
-    help: "Shininess: the larger, the narrower the highlight.",
-};
-
-/// Row of the lobe blend α.
-pub const ALPHA: Param = Param {
-    id: ParamId::Alpha,
-    key: "alpha",
-    symbol: "α",
-    name: "lobe blend",
-    unit: "",
-    range: (0.0, 1.0),
-    domain: (0.0, 1.0),
-    default: 0.5,
-    scale: Scale::Linear,
-    help: "0 is Phong, 1 is Blinn-Phong with the exponent 4s.",
-};
+/// Smallest η of a fit. At 1, R_F vanishes but at grazing.
+pub const SMALLEST_ETA: f64 = 1.0001;
 
 /// Row of the relative index of refraction η.
-pub const ETA: Param = Param {
-    id: ParamId::Eta,
-    key: "eta",
+pub static ETA: Param = Param {
+    id: ParamId::ETA,
     symbol: "η",
     name: "index of refraction",
     unit: "",
     range: (1.0, 4.0),
     domain: (1.0, 1e3),
+    bounds: (SMALLEST_ETA, 1e3),
+    // Near 1 a fit says so in words of its own, before it is at the bound.
+    at_bounds: [AtBound::Fine, AtBound::Unknown],
+    // A steep rise towards grazing, glass, hardly any rise.
+    starts: Starts::At(&[1.12, 1.5, 4.0]),
     default: 1.5,
     scale: Scale::Linear,
     help: "Relative index of refraction in the Fresnel factor: the smaller, the steeper the rise towards grazing.",
 };
 
-/// Rows of all parameters of all models, in the order of the uniform on the GPU.
-pub const ALL: [Param; 5] = [RHO_D, K_S, S, ALPHA, ETA];
+/// Rows of all parameters of all models: ρ_d, k_s, those of the lobes in the order in which models first have them, η.
+///
+/// Where several models have a parameter, its row is that of the first of them; ranges of others may differ.
+pub fn all() -> impl Iterator<Item = &'static Param> + Clone {
+    static ROWS: LazyLock<Vec<&'static Param>> = LazyLock::new(|| {
+        let mut rows = vec![&RHO_D, &K_S];
+        for row in MODELS.iter().flat_map(|model| model.params) {
+            if !rows.iter().any(|known| known.id == row.id) {
+                rows.push(row);
+            }
+        }
+        rows.push(&ETA);
+        rows
+    });
+    ROWS.iter().copied()
+}

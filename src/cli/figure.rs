@@ -3,7 +3,7 @@
 mod materials;
 
 use super::CliError;
-use crate::brdf::{Fresnel, MODELS, PHONG, fresnel::FRESNELS};
+use crate::brdf::{Fresnel, MODELS, Model, PHONG, fresnel::FRESNELS};
 use crate::export::fonts::lacking_text;
 use crate::export::preset::{PRESETS, Preset, PresetOptions};
 use crate::export::{
@@ -55,7 +55,7 @@ pub struct Args {
     #[arg(long, value_name = "NAME", value_parser = presets())]
     preset: Option<String>,
     /// Which model presets show that show one
-    #[arg(long, default_value = "combined", value_parser = PossibleValuesParser::new(MODELS.map(|m| m.key)), requires = "preset")]
+    #[arg(long, default_value = "combined", value_parser = PossibleValuesParser::new(MODELS.iter().map(|m| m.key)), requires = "preset")]
     model: String,
     /// The Fresnel factor of the models
     #[arg(long, default_value = "exact", value_parser = PossibleValuesParser::new(FRESNELS.map(Fresnel::key)), requires = "preset")]
@@ -304,7 +304,7 @@ fn preset(
     }
     let preset = Preset::by_key(key).unwrap_or(&PRESETS[0]);
     args.check_pixels(outputs, preset.width_mm, Style::default().dpi)?;
-    let model = MODELS.into_iter().find(|model| model.key == args.model);
+    let model = Model::by_key(&args.model);
     let options = PresetOptions {
         model: model.unwrap_or(&PHONG),
         fresnel: Fresnel::by_key(&args.fresnel).unwrap_or(Fresnel::Exact),

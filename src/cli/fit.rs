@@ -46,7 +46,7 @@ pub struct Args {
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Which model; all fits each
-    #[arg(long, default_value = "combined", value_parser = keys(MODELS.map(|model| model.key)))]
+    #[arg(long, default_value = "combined", value_parser = keys(MODELS.iter().map(|model| model.key)))]
     model: String,
     /// Which Fresnel reflectance multiplies the specular term; all fits with each
     #[arg(long, default_value = "exact", value_parser = keys(FRESNELS.map(Fresnel::key)))]
@@ -91,7 +91,7 @@ pub struct Args {
 
 const ALL: &str = "all";
 
-fn keys(keys: [&'static str; 3]) -> PossibleValuesParser {
+fn keys(keys: impl IntoIterator<Item = &'static str>) -> PossibleValuesParser {
     PossibleValuesParser::new(keys.into_iter().chain([ALL]))
 }
 
@@ -175,8 +175,8 @@ impl Args {
                 .filter(|fresnel| is(&self.fresnel, fresnel.key()))
         };
         let of = |model: &'static Model| fresnels().map(move |fresnel| Variant { model, fresnel });
-        MODELS
-            .into_iter()
+        let models = MODELS.iter().copied();
+        models
             .filter(|model| is(&self.model, model.key))
             .flat_map(of)
             .collect()
@@ -185,8 +185,8 @@ impl Args {
     fn options(&self) -> FitOptions {
         FitOptions {
             stages: self.stages,
-            start: self.start.unwrap_or_default(),
-            held: self.hold.unwrap_or_default(),
+            start: self.start.clone().unwrap_or_default(),
+            held: self.hold.clone().unwrap_or_default(),
             ..FitOptions::default()
         }
     }
@@ -195,20 +195,20 @@ impl Args {
     fn check(&self, variants: &[Variant]) -> Result<(), CliError> {
         let usage = |text: String| Err(CliError::Usage("fit", text));
         let FitOptions { start, held, .. } = self.options();
-        for row in &params::ALL {
+        for row in params::all() {
             let (starts, held) = (start.has(row.id), held.has(row.id));
             if starts && held {
                 return usage(format!(
                     "{} is given in --start and in --hold; give it once",
-                    row.key
+                    row.key()
                 ));
             }
-            let uses = |variant: &Variant| variant.with(Default::default()).uses(row.id);
+            let uses = |variant: &Variant| variant.defaults().uses(row.id);
             if (starts || held) && !variants.iter().any(uses) {
                 let option = if starts { "--start" } else { "--hold" };
                 return usage(format!(
                     "{option}: the chosen model has no {}; leave it out",
-                    row.key
+                    row.key()
                 ));
             }
         }

@@ -2,7 +2,7 @@
 
 use super::CliError;
 use super::table::{self, Column};
-use crate::brdf::{Brdf, params};
+use crate::brdf::{Brdf, ParamId, params};
 use crate::files;
 use crate::files::fits::FitEntry;
 use crate::files::names::told_apart;
@@ -135,12 +135,19 @@ pub(super) fn write_models(rows: &[ModelRow], out: &mut dyn Write) -> io::Result
             ),
         ),
     ];
-    for param in params::ALL.iter().filter(|param| !param.id.is_color()) {
+    for param in params::all().filter(|param| !param.id.is_color()) {
+        let used = |row: &&ModelRow| row.brdf.uses(param.id);
+        if !rows.iter().any(|row| used(&row)) && param.id != ParamId::ETA {
+            continue;
+        }
         let value = |row: &ModelRow| {
-            let value = row.brdf.params.get(param.id).first()?;
-            row.brdf.uses(param.id).then(|| six_digits(*value))
+            let value = row.brdf.number(param.id)?;
+            row.brdf.uses(param.id).then(|| six_digits(value))
         };
-        columns.push((param.key, Column::Numbers(rows.iter().map(value).collect())));
+        columns.push((
+            param.key(),
+            Column::Numbers(rows.iter().map(value).collect()),
+        ));
     }
     table::write(columns, out)
 }

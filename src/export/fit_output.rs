@@ -83,10 +83,9 @@ fn of_landscape(
     };
     let problem = Problem::new(table, weight(&spec.weight), spec.limit).map_err(no_problem)?;
     let made = landscape(&problem, fresnel, eta, &mut |_| follow()).ok_or(ExportError::Stopped)?;
-    let best = made.best.map(|(brdf, error)| {
-        let params = brdf.with_model(landscape::model()).params;
-        ([params.s, params.alpha], 100.0 * error)
-    });
+    let best = made
+        .best
+        .map(|(brdf, error)| (landscape::place(&brdf), 100.0 * error));
     Ok(FitOutput::Landscape {
         terrain: terrain(&made),
         best,

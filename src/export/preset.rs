@@ -181,10 +181,7 @@ pub static PRESETS: [Preset; 11] = [
                 ViewSpec::Landscape(LandscapePanel {
                     fresnel: fit.map_or(Fresnel::Exact, |fit| fit.fresnel),
                     eta: fit.map(|fit| fit.params.eta),
-                    here: fit.map(|fit| {
-                        let params = fit.with_model(crate::fit::landscape::model()).params;
-                        [params.s, params.alpha]
-                    }),
+                    here: fit.map(crate::fit::landscape::place),
                     ..LandscapePanel::default()
                 })
             })
@@ -240,7 +237,7 @@ impl Preset {
         let fresnel = options.fresnel;
         let of = |model: &'static Model| Variant { model, fresnel };
         match (self.all_models, self.key) {
-            (true, _) => MODELS.map(of).to_vec(),
+            (true, _) => MODELS.iter().copied().map(of).collect(),
             (_, "scatter" | "landscape") => vec![of(crate::fit::landscape::model())],
             _ => vec![of(options.model)],
         }

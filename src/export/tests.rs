@@ -3,7 +3,7 @@ use super::{
     FigureFormat, FigureSpec, OpenedTables, Prepared, SubjectSource, open_from_files, prepare,
     spec_beside,
 };
-use crate::brdf::{Brdf, COMBINED, Fresnel, Params};
+use crate::brdf::{Brdf, COMBINED, Fresnel};
 use crate::figure::ViewSpec;
 use crate::figure::lobes::LobeScale;
 use crate::figure::page::Style;
@@ -33,7 +33,7 @@ fn materials(preset: &Preset, names: &[&str]) -> Vec<PresetMaterial> {
     let model = |variant: crate::fit::Variant| Brdf {
         model: variant.model,
         fresnel: variant.fresnel,
-        params: Params::default(),
+        params: COMBINED.default_params(),
     };
     let material = |name: &&str| PresetMaterial {
         name: (*name).into(),

@@ -196,7 +196,7 @@ mod tests {
     fn formulas_of_all_models_read_without_braces() {
         for model in crate::brdf::MODELS {
             let mut texts = vec![model.formula];
-            texts.extend(model.params.iter().map(|param| param.symbol));
+            texts.extend(model.rows().map(|param| param.symbol));
             for text in texts {
                 let plain = RichText::parse(text).plain();
                 assert!(!plain.contains(['{', '}', '_', '^']), "{text}: {plain}");

@@ -147,14 +147,14 @@ fn name_part(name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::brdf::{BLINN_PHONG, COMBINED, Fresnel, Params};
+    use crate::brdf::{BLINN_PHONG, COMBINED, Fresnel};
 
     #[test]
     fn proposed_names_are_names_of_files() {
         let mut brdf = Brdf {
             model: &COMBINED,
             fresnel: Fresnel::Exact,
-            params: Params::default(),
+            params: COMBINED.default_params(),
         };
         let name = |brdf: &Brdf, material: &str| ModelFormat::Wgsl.file_name(brdf, material);
         assert_eq!(name(&brdf, "teflon"), "teflon_combined-exact.wgsl");

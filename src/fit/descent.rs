@@ -1,8 +1,10 @@
-//! Quasi-Newton descent in up to three variables within bounds.
+//! Quasi-Newton descent within bounds.
 //!
 //! BFGS with a line search for the weak Wolfe conditions, which also copes with the kinks of L1 [Lewis13].
 
-use glam::{DMat3, DVec3};
+use super::linear::{Matrix, Vector, add_outer, diagonal, dot, length, product, solve};
+use super::variables::VARIABLES;
+use std::array::from_fn;
 
 /// Value and gradient of the objective at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,14 +12,14 @@ pub struct Value {
     /// Error to be minimised.
     pub error: f64,
     /// Gradient of the error.
-    pub gradient: DVec3,
+    pub gradient: Vector,
 }
 
 /// Bounds and stopping rules of a descent.
 #[derive(Clone, Copy, Debug)]
 pub struct Rules {
     /// Bounds of each variable, (smallest, largest); both alike where it is held.
-    pub bounds: [(f64, f64); 3],
+    pub bounds: [(f64, f64); VARIABLES],
     /// Relative decrease of the error that a step must promise for the descent to go on.
     pub tolerance: f64,
     /// Largest number of evaluations.
@@ -26,15 +28,26 @@ pub struct Rules {
     pub first_step: f64,
 }
 
+impl Rules {
+    fn clamp(&self, point: Vector) -> Vector {
+        from_fn(|k| point[k].clamp(self.bounds[k].0, self.bounds[k].1))
+    }
+
+    /// The point a step away, within the bounds.
+    fn moved(&self, at: Vector, t: f64, step: Vector) -> Vector {
+        self.clamp(from_fn(|k| at[k] + t * step[k]))
+    }
+}
+
 /// Result of a descent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
     /// Point with the smallest error.
-    pub at: DVec3,
+    pub at: Vector,
     /// Error and gradient at that point.
     pub value: Value,
     /// Approximate Hessian at the end, a start for a descent on more data; `None` where none was built up.
-    pub curvature: Option<DMat3>,
+    pub curvature: Option<Matrix>,
     /// Whether the descent ended because no step promised a further decrease.
     pub converged: bool,
 }
@@ -50,37 +63,31 @@ const RETRY: f64 = 1e-3;
 /// Minimises from `start`. `evaluate` returns `None` to stop: then the best point so far is returned; `None` where the
 /// first evaluation stops.
 pub fn descend(
-    start: DVec3,
-    curvature: Option<DMat3>,
+    start: Vector,
+    curvature: Option<Matrix>,
     rules: &Rules,
-    evaluate: &mut dyn FnMut(DVec3) -> Option<Value>,
+    evaluate: &mut dyn FnMut(Vector) -> Option<Value>,
 ) -> Option<End> {
-    let low = DVec3::from_array(rules.bounds.map(|b| b.0));
-    let high = DVec3::from_array(rules.bounds.map(|b| b.1));
-    let mut at = start.clamp(low, high);
+    let mut at = rules.clamp(start);
     let mut value = evaluate(at)?;
     let mut left = rules.evaluations.saturating_sub(1);
     let mut b = curvature;
     let mut converged = false;
     let mut idle = 0;
     loop {
-        let free = free_variables(at, value.gradient, low, high);
-        let g = value.gradient * free;
+        let free = free_variables(at, value.gradient, rules);
+        let g = from_fn(|k| if free[k] { value.gradient[k] } else { 0.0 });
         // Without a curvature yet: steepest descent, not longer than the first step, and not past a minimum that is
         // as sharp as errors commonly have it.
-        let scaled = || {
-            DMat3::from_diagonal(DVec3::splat(
-                g.length() / rules.first_step + COMMON_CURVATURE * value.error,
-            ))
-        };
+        let scaled = || diagonal(length(g) / rules.first_step + COMMON_CURVATURE * value.error);
         let step = newton_step(b.unwrap_or_else(scaled), g, free);
-        let promise = -0.5 * g.dot(step);
+        let promise = -0.5 * dot(g, step);
         if promise.is_nan() || promise <= rules.tolerance * value.error {
             converged = true;
             break;
         }
         let least = rules.tolerance * value.error;
-        let Some((t, next)) = line_search(at, value, step, least, (low, high), &mut left, evaluate)
+        let Some((t, next)) = line_search(at, value, step, least, rules, &mut left, evaluate)
         else {
             // No step is better: the promise came from a curvature that is wrong, or a kink ends here.
             if b.take().is_none() || promise <= RETRY * value.error || left == 0 {
@@ -89,10 +96,12 @@ pub fn descend(
             }
             continue;
         };
-        let moved = (at + t * step).clamp(low, high) - at;
-        b = Some(updated(b, moved, next.gradient - value.gradient));
+        let to = rules.moved(at, t, step);
+        let difference = |a: Vector, b: Vector| from_fn(|k| a[k] - b[k]);
+        let turned = difference(next.gradient, value.gradient);
+        b = Some(updated(b, difference(to, at), turned));
         let gain = value.error - next.error;
-        at += moved;
+        at = to;
         value = next;
         idle = if gain <= rules.tolerance * value.error {
             idle + 1
@@ -115,46 +124,43 @@ pub fn descend(
     })
 }
 
-/// Mask of the variables: 1 where free, 0 where a bound holds the variable against the slope.
-fn free_variables(at: DVec3, gradient: DVec3, low: DVec3, high: DVec3) -> DVec3 {
-    let free = |k: usize| {
-        let held =
-            (at[k] <= low[k] && gradient[k] >= 0.0) || (at[k] >= high[k] && gradient[k] <= 0.0);
-        f64::from(!held)
-    };
-    DVec3::new(free(0), free(1), free(2))
+/// Whether each variable is free: it is not where a bound holds it against the slope.
+fn free_variables(at: Vector, gradient: Vector, rules: &Rules) -> [bool; VARIABLES] {
+    from_fn(|k| {
+        let (low, high) = rules.bounds[k];
+        !((at[k] <= low && gradient[k] >= 0.0) || (at[k] >= high && gradient[k] <= 0.0))
+    })
 }
 
-/// Step −B⁻¹ g in the free variables; −g where that is not finite or not a descent.
-fn newton_step(mut b: DMat3, g: DVec3, free: DVec3) -> DVec3 {
-    for k in 0..3 {
-        if free[k] == 0.0 {
-            for other in 0..3 {
-                b.col_mut(k)[other] = 0.0;
-                b.col_mut(other)[k] = 0.0;
+/// Step −B⁻¹ g in the free variables; −g where that is not finite or not a descent. `g` is 0 in the others.
+fn newton_step(mut b: Matrix, g: Vector, free: [bool; VARIABLES]) -> Vector {
+    // What is not free stands alone.
+    for (row, entries) in b.iter_mut().enumerate() {
+        for (column, entry) in entries.iter_mut().enumerate() {
+            if !(free[row] && free[column]) {
+                *entry = f64::from(row == column);
             }
-            b.col_mut(k)[k] = 1.0;
         }
     }
-    let step = -(b.inverse() * g) * free;
-    if step.is_finite() && step.dot(g) < 0.0 {
+    let step = solve(b, g).map(|x| -x);
+    if step.iter().all(|x| x.is_finite()) && dot(step, g) < 0.0 {
         step
     } else {
-        -g
+        g.map(|x| -x)
     }
 }
 
 /// Step length and value, by parabola and bisection; `None` where no length lowers the error.
 fn line_search(
-    at: DVec3,
+    at: Vector,
     value: Value,
-    step: DVec3,
+    step: Vector,
     least: f64,
-    (low, high): (DVec3, DVec3),
+    rules: &Rules,
     left: &mut usize,
-    evaluate: &mut dyn FnMut(DVec3) -> Option<Value>,
+    evaluate: &mut dyn FnMut(Vector) -> Option<Value>,
 ) -> Option<(f64, Value)> {
-    let slope = value.gradient.dot(step);
+    let slope = dot(value.gradient, step);
     let (mut near, mut far) = (0.0, f64::INFINITY);
     let mut t = 1.0;
     let mut best: Option<(f64, Value)> = None;
@@ -163,7 +169,7 @@ fn line_search(
             // So short a step cannot gain what counts.
             break;
         }
-        let to = (at + t * step).clamp(low, high);
+        let to = rules.moved(at, t, step);
         *left -= 1;
         let Some(found) = evaluate(to) else {
             *left = 0;
@@ -181,8 +187,7 @@ fn line_search(
                 t = lowest.clamp(0.05 * t, 0.5 * t);
                 continue;
             }
-        } else if found.gradient.dot(step) < WOLFE * slope
-            && to != (at + 2.0 * t * step).clamp(low, high)
+        } else if dot(found.gradient, step) < WOLFE * slope && to != rules.moved(at, 2.0 * t, step)
         {
             near = t;
         } else {
@@ -198,30 +203,43 @@ fn line_search(
 }
 
 /// BFGS update of the approximate Hessian; unchanged where it would not stay positive definite.
-fn updated(b: Option<DMat3>, moved: DVec3, turned: DVec3) -> DMat3 {
-    let sy = moved.dot(turned);
-    let b = b.unwrap_or_else(|| {
+fn updated(b: Option<Matrix>, moved: Vector, turned: Vector) -> Matrix {
+    let sy = dot(moved, turned);
+    let mut b = b.unwrap_or_else(|| {
         let scale = if sy > 0.0 {
-            turned.length_squared() / sy
+            dot(turned, turned) / sy
         } else {
-            turned.length() / moved.length().max(1e-12)
+            length(turned) / length(moved).max(1e-12)
         };
-        DMat3::from_diagonal(DVec3::splat(scale.max(1e-12)))
+        diagonal(scale.max(1e-12))
     });
-    let bs = b * moved;
-    let sbs = moved.dot(bs);
-    if sy <= 1e-10 * moved.length() * turned.length() || sbs <= 0.0 {
+    let bs = product(&b, moved);
+    let sbs = dot(moved, bs);
+    if sy <= 1e-10 * length(moved) * length(turned) || sbs <= 0.0 {
         return b;
     }
-    let outer = |v: DVec3| DMat3::from_cols(v * v.x, v * v.y, v * v.z);
-    b + outer(turned) * (1.0 / sy) - outer(bs) * (1.0 / sbs)
+    add_outer(&mut b, turned, 1.0 / sy);
+    add_outer(&mut b, bs, -1.0 / sbs);
+    b
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    use glam::DVec3;
+
+    /// The first three variables; the others are held at 0.
+    fn three(p: Vector) -> DVec3 {
+        DVec3::new(p[0], p[1], p[2])
+    }
+
+    fn five<T: Copy>([a, b, c]: [T; 3], rest: T) -> [T; VARIABLES] {
+        [a, b, c, rest, rest]
+    }
+
     fn run(start: [f64; 3], bounds: [(f64, f64); 3], f: impl Fn(DVec3) -> f64) -> (DVec3, usize) {
+        let bounds = five(bounds, (0.0, 0.0));
         let mut count = 0;
         let rules = Rules {
             bounds,
@@ -229,7 +247,8 @@ mod tests {
             evaluations: 400,
             first_step: 0.1,
         };
-        let end = descend(DVec3::from_array(start), None, &rules, &mut |p| {
+        let end = descend(five(start, 0.0), None, &rules, &mut |p| {
+            let p = three(p);
             count += 1;
             let slope = |k: usize| {
                 let mut step = DVec3::ZERO;
@@ -238,10 +257,10 @@ mod tests {
             };
             Some(Value {
                 error: f(p),
-                gradient: DVec3::new(slope(0), slope(1), slope(2)),
+                gradient: five([slope(0), slope(1), slope(2)], 0.0),
             })
         });
-        (end.expect("is not stopped").at, count)
+        (three(end.expect("is not stopped").at), count)
     }
 
     const WIDE: [(f64, f64); 3] = [(-10.0, 10.0); 3];
@@ -277,17 +296,17 @@ mod tests {
     #[test]
     fn stopped_it_returns_the_best_so_far() {
         let rules = Rules {
-            bounds: WIDE,
+            bounds: five(WIDE, (0.0, 0.0)),
             tolerance: 1e-12,
             evaluations: 100,
             first_step: 0.1,
         };
         let mut count = 0;
-        let end = descend(DVec3::ZERO, None, &rules, &mut |p| {
+        let end = descend([0.0; VARIABLES], None, &rules, &mut |p| {
             count += 1;
             (count < 4).then(|| Value {
-                error: 1.0 + (p.x - 3.0).powi(2),
-                gradient: DVec3::new(2.0 * (p.x - 3.0), 0.0, 0.0),
+                error: 1.0 + (p[0] - 3.0).powi(2),
+                gradient: five([2.0 * (p[0] - 3.0), 0.0, 0.0], 0.0),
             })
         })
         .expect("there is a first value");

@@ -203,6 +203,7 @@ fn mirrored(grid: Grid, phi_d: usize) -> impl Iterator<Item = usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::brdf::params::lobe_values;
     use crate::brdf::{COMBINED, Fresnel, Params};
     use crate::fit::Problem;
     use crate::fit::options::{NO_LIMIT, WEIGHTS};
@@ -215,8 +216,7 @@ mod tests {
             params: Params {
                 rho_d: [0.3, 0.2, 0.1],
                 k_s: [2.0, 3.0, 4.0],
-                s,
-                alpha: 0.4,
+                lobe: lobe_values([s, 0.4]),
                 eta: 1.5,
             },
         }

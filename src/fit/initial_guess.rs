@@ -1,6 +1,7 @@
 //! Initial guess of the parameters from the data: the sliders' values when a material opens.
 
-use crate::brdf::{Brdf, COMBINED, Fresnel, Params};
+use crate::brdf::params::lobe_values;
+use crate::brdf::{Brdf, COMBINED, Fresnel};
 use crate::geom::{Cosines, Rgb};
 use crate::measured::Table;
 use crate::measured::grid::{THETA_D_BINS, THETA_H_BINS};
@@ -29,26 +30,18 @@ struct WeightedCell {
 /// measure an error in proportion to the value. It takes a fraction of a second and is no fit.
 pub fn from_table(table: &Table) -> Brdf {
     let samples = samples(table);
-    let mut best = Brdf {
-        model: &COMBINED,
-        fresnel: Fresnel::Exact,
-        params: Params::default(),
-    };
+    let mut best = Brdf::new(&COMBINED, Fresnel::Exact);
     let mut best_error = f64::INFINITY;
     // A shape is R_F · exp(s · ln base): of its parts each is made once.
     let reflectance = |eta: f64| {
-        let of = |sample: &WeightedCell| best.fresnel.reflectance(sample.cosines.wi_dot_wh, eta);
+        let of = |sample: &WeightedCell| best.fresnel.reflectance(sample.cosines.wi_wh.cos, eta);
         samples.iter().map(of).collect::<Vec<f64>>()
     };
     let reflectances = ETAS.map(reflectance);
     let mut lobe = vec![0.0; samples.len()];
     let mut shapes = vec![0.0; samples.len()];
     for alpha in ALPHAS {
-        let base = Params {
-            s: 1.0,
-            alpha,
-            ..Params::default()
-        };
+        let base = lobe_values([1.0, alpha]);
         let ln_base = |sample: &WeightedCell| (best.model.lobe)(&base, &sample.cosines).ln();
         let ln_base: Vec<f64> = samples.iter().map(ln_base).collect();
         for k in 0..EXPONENTS {
@@ -58,12 +51,8 @@ pub fn from_table(table: &Table) -> Brdf {
             }
             for (eta, reflectance) in ETAS.into_iter().zip(&reflectances) {
                 let mut candidate = best;
-                candidate.params = Params {
-                    s,
-                    alpha,
-                    eta,
-                    ..Params::default()
-                };
+                candidate.params.lobe = lobe_values([s, alpha]);
+                candidate.params.eta = eta;
                 for ((shape, lobe), reflectance) in shapes.iter_mut().zip(&lobe).zip(reflectance) {
                     *shape = reflectance * lobe;
                 }
@@ -158,6 +147,7 @@ fn absolute_error(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::brdf::Params;
     use crate::measured::{Grid, tabulate};
 
     #[test]
@@ -168,8 +158,7 @@ mod tests {
             params: Params {
                 rho_d: [0.3, 0.2, 0.1],
                 k_s: [40.0, 50.0, 60.0],
-                s: 60.0,
-                alpha: 0.75,
+                lobe: lobe_values([60.0, 0.75]),
                 eta: 1.5,
             },
         };
@@ -184,14 +173,15 @@ mod tests {
                 "{guess:?}"
             );
         }
-        assert!((guess.s / truth.params.s).ln().abs() < 0.4, "{guess:?}");
+        let [s, alpha, ..] = guess.lobe;
+        assert!((s / 60.0).ln().abs() < 0.4, "{guess:?}");
         assert!(
-            (guess.alpha - 0.75).abs() <= 0.25 && guess.eta == 1.5,
+            (alpha - 0.75).abs() <= 0.25 && guess.eta == 1.5,
             "{guess:?}"
         );
         // A planted change of the data moves the guess.
-        truth.params.s = 600.0;
-        assert!(from_table(&tabulate(&truth, Grid::FOLDED)).params.s > 4.0 * guess.s);
+        truth.params.lobe[0] = 600.0;
+        assert!(from_table(&tabulate(&truth, Grid::FOLDED)).params.lobe[0] > 4.0 * s);
     }
 
     #[test]

@@ -3,15 +3,16 @@
 //! α = 0 is Phong with exponent s and α = 1 Blinn-Phong with 4 s, so that the edges are these models' own. E is
 //! estimated on a sample of the cells, coarse to fine; the best point is refined and measured on all of them.
 
-use super::lobe_kernel::{LobeShape, SearchPoint};
 use super::objective::{AmplitudeRule, Candidate, Objective, SearchSpace};
 use super::options::{FitOptions, Variant};
 use super::problem::Problem;
 use super::stages::{Stage, StageSet};
 use super::symmetric_cells::SymmetricCells;
 use super::threads::Threads;
+use super::variables::{ETA_VARIABLE, SearchPoint};
 use super::variants::fit;
-use crate::brdf::{Brdf, Fresnel, MODELS, Model, PHONG, ParamId, Params, params};
+use crate::brdf::params::{ETA, lobe_values};
+use crate::brdf::{Brdf, COMBINED, Fresnel, Model, ParamId};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 
@@ -62,12 +63,15 @@ pub enum LandscapeUpdate {
     Grid(Landscape),
 }
 
-/// Combined model, which contains the other two at α = 0 and α = 1.
+/// Combined model, which contains Phong and Blinn-Phong; its parameters are the axes.
 pub fn model() -> &'static Model {
-    MODELS
-        .into_iter()
-        .find(|model| model.alpha.is_none())
-        .unwrap_or(&PHONG)
+    &COMBINED
+}
+
+/// Place of a model on the axes of a landscape: (s, α) of the combined model that it is or looks most like.
+pub fn place(brdf: &Brdf) -> [f64; 2] {
+    let [s, alpha, ..] = brdf.with_model(model()).params.lobe;
+    [s, alpha]
 }
 
 /// Landscape of a problem; `None` where `follow` breaks. It does not depend on the number of threads.
@@ -89,7 +93,7 @@ pub fn landscape(
         },
         space: SearchSpace::new(variant, &FitOptions::default(), problem.units()),
         eta: match fresnel {
-            Fresnel::None => Eta::Fixed(params::ETA.default),
+            Fresnel::None => Eta::Fixed(ETA.default),
             _ => eta,
         },
     };
@@ -148,7 +152,7 @@ struct Survey<'a> {
 impl Survey<'_> {
     /// Landscape without nodes, with the coordinates of a grid.
     fn grid(&self, columns: usize, rows: usize) -> Landscape {
-        let (low, high) = params::S.range;
+        let (low, high) = model().params[0].range;
         let share = |k: usize, count: usize| k as f64 / (count - 1) as f64;
         Landscape {
             s: (0..columns)
@@ -167,11 +171,12 @@ impl Survey<'_> {
             stages: StageSet::from_iter([Stage::Joint]),
             ..FitOptions::default()
         };
-        options.start.set(ParamId::S, &lowest.params);
-        options.start.set(ParamId::Alpha, &lowest.params);
+        for row in model().params {
+            options.start.set(row.id, lowest);
+        }
         match self.eta {
-            Eta::Fixed(_) => options.held.set(ParamId::Eta, &lowest.params),
-            Eta::Optimised => options.start.set(ParamId::Eta, &lowest.params),
+            Eta::Fixed(_) => options.held.set(ParamId::ETA, lowest),
+            Eta::Optimised => options.start.set(ParamId::ETA, lowest),
         }
         fit(problem, self.space.variant, &options, &mut |_| {
             ControlFlow::Continue(())
@@ -180,26 +185,26 @@ impl Survey<'_> {
     }
 
     fn node(&self, s: f64, alpha: f64) -> Node {
-        let at = |eta: f64| LobeShape { s, alpha, eta }.point();
+        let variant = self.space.variant;
+        let at = |eta: f64| {
+            let mut brdf = Brdf::new(variant.model, variant.fresnel);
+            brdf.params.lobe = lobe_values([s, alpha]);
+            brdf.params.eta = eta;
+            self.space.point(&brdf)
+        };
         let limits = AmplitudeRule::Optimised(self.space.limits);
-        let fresnel = self.space.variant.fresnel;
-        let mut objective = Objective::new(self.cells, fresnel, limits, None, Threads::One);
+        let mut objective = Objective::new(self.cells, variant, limits, None, Threads::One);
         let candidate = match self.eta {
             Eta::Fixed(eta) => objective.error(at(eta)),
-            Eta::Optimised => best_eta(&mut objective, at(params::ETA.default)),
+            Eta::Optimised => best_eta(&mut objective, at(ETA.default)),
         };
-        let params = self.space.params(&candidate, &FitOptions::default());
-        let eta = match self.eta {
-            Eta::Fixed(eta) => eta,
-            Eta::Optimised => params.eta,
-        };
+        let mut brdf = self.space.brdf(&candidate, &FitOptions::default());
+        brdf.params.lobe = lobe_values([s, alpha]);
+        if let Eta::Fixed(eta) = self.eta {
+            brdf.params.eta = eta;
+        }
         Node {
-            brdf: self.space.variant.with(Params {
-                s,
-                alpha,
-                eta,
-                ..params
-            }),
+            brdf,
             error: candidate.error,
         }
     }
@@ -212,12 +217,16 @@ const ETA_STEPS: usize = 6;
 
 /// Candidate with the best η: the best of a few, then golden-section search between its neighbours in ln(η − 1).
 fn best_eta(objective: &mut Objective, point: SearchPoint) -> Candidate {
-    let mut error = |ln_eta: f64| objective.error([point[0], point[1], ln_eta]);
+    let mut error = |ln_eta: f64| {
+        let mut at = point;
+        at[ETA_VARIABLE] = ln_eta;
+        objective.error(at)
+    };
     let tried: Vec<Candidate> = ETAS_LESS_1.iter().map(|x| error(x.ln())).collect();
     let lowest = (0..tried.len())
         .min_by(|a, b| tried[*a].error.total_cmp(&tried[*b].error))
         .unwrap_or(0);
-    let end = |k: usize| tried[k.min(tried.len() - 1)].point[2];
+    let end = |k: usize| tried[k.min(tried.len() - 1)].point[ETA_VARIABLE];
     let (mut low, mut high) = (end(lowest.saturating_sub(1)), end(lowest + 1));
     let mut best = tried[lowest];
     let golden = 0.5 * (5f64.sqrt() - 1.0);
@@ -264,9 +273,9 @@ impl Landscape {
         let [(i, u), (j, v)] = self.place(s, alpha)?;
         let (i, j) = (i + u.round() as usize, j + v.round() as usize);
         let mut brdf = self.nodes.get(i + self.s.len() * j)?.brdf;
-        for (id, value) in [(ParamId::S, s), (ParamId::Alpha, alpha)] {
-            let row = brdf.model.param(id)?;
-            brdf.params.get_mut(id)[0] = row.clamp(value);
+        let values = brdf.params.lobe.iter_mut().zip([s, alpha]);
+        for ((to, value), row) in values.zip(brdf.model.params) {
+            *to = row.clamp(value);
         }
         Some(brdf)
     }

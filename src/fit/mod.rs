@@ -20,7 +20,8 @@ mod exact_l1;
 pub mod initial_guess;
 mod kernels;
 pub mod landscape;
-mod lobe_kernel;
+mod linear;
+mod lobes;
 mod multistart;
 mod objective;
 pub mod options;
@@ -32,6 +33,7 @@ mod staged_fit;
 pub mod stages;
 mod symmetric_cells;
 mod threads;
+mod variables;
 mod variants;
 mod vertex_walk;
 

@@ -1,10 +1,11 @@
 //! Options of a fit: variant, weight, stages, held values, start and bounds.
 
 use super::stages::{Stage, StageSet};
-use crate::brdf::{Brdf, Fresnel, MODELS, Model, Param, ParamId, Params, PerParam};
+use crate::brdf::{Brdf, Fresnel, MODELS, Model, Param, ParamId, Params};
 use crate::geom::Rgb;
 use crate::keys;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 
 /// Weight of a cell in the error E.
@@ -69,12 +70,17 @@ pub struct Variant {
 }
 
 impl Variant {
-    /// Every model without a Fresnel factor and with this one: six variants; three for [`Fresnel::None`].
+    /// Every model without a Fresnel factor and with this one: two variants a model; one for [`Fresnel::None`].
     pub fn all(fresnel: Fresnel) -> Vec<Self> {
         let mut fresnels = vec![Fresnel::None, fresnel];
         fresnels.dedup();
-        let of = |fresnel| MODELS.map(|model| Self { model, fresnel });
+        let of = |fresnel| MODELS.iter().map(move |model| Self { model, fresnel });
         fresnels.into_iter().flat_map(of).collect()
+    }
+
+    /// BRDF of the variant with default parameters.
+    pub fn defaults(self) -> Brdf {
+        Brdf::new(self.model, self.fresnel)
     }
 
     /// BRDF of the variant with these parameters.
@@ -96,65 +102,60 @@ impl From<&Brdf> for Variant {
     }
 }
 
-/// Values of some of the parameters; `None` for the others.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// Values of some of the parameters, by their identities: those that a model does not have do not count for it.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Partial {
     /// Diffuse reflectance ρ_d, linear RGB.
     pub rho_d: Option<Rgb>,
     /// Specular amplitude k_s in 1/sr, linear RGB.
     pub k_s: Option<Rgb>,
-    /// Specular exponent s of the fitted model.
-    pub s: Option<f64>,
-    /// Lobe blend α.
-    pub alpha: Option<f64>,
-    /// Relative index of refraction η.
-    pub eta: Option<f64>,
+    /// Parameters that the channels share: those of the lobe, and η.
+    pub shared: BTreeMap<ParamId, f64>,
 }
 
 impl Partial {
+    /// Values of no parameter.
+    pub fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+
     /// Whether a parameter has a value.
     pub fn has(&self, id: ParamId) -> bool {
+        !self.get(id).is_empty()
+    }
+
+    /// Values of a parameter: three for a colour, one otherwise; none where it has no value.
+    pub fn get(&self, id: ParamId) -> &[f64] {
         match id {
-            ParamId::RhoD => self.rho_d.is_some(),
-            ParamId::KS => self.k_s.is_some(),
-            ParamId::S => self.s.is_some(),
-            ParamId::Alpha => self.alpha.is_some(),
-            ParamId::Eta => self.eta.is_some(),
+            ParamId::RHO_D => self.rho_d.as_ref().map_or(&[], |rgb| &rgb[..]),
+            ParamId::K_S => self.k_s.as_ref().map_or(&[], |rgb| &rgb[..]),
+            id => self.shared.get(&id).map_or(&[], std::slice::from_ref),
         }
     }
 
-    /// Sets a parameter to its value in `from`.
-    pub fn set(&mut self, id: ParamId, from: &Params) {
+    /// Value of a parameter that the channels share.
+    pub fn number(&self, id: ParamId) -> Option<f64> {
+        self.shared.get(&id).copied()
+    }
+
+    /// Sets a parameter to its value in `from`, if that has it.
+    pub fn set(&mut self, id: ParamId, from: &Brdf) {
         match id {
-            ParamId::RhoD => self.rho_d = Some(from.rho_d),
-            ParamId::KS => self.k_s = Some(from.k_s),
-            ParamId::S => self.s = Some(from.s),
-            ParamId::Alpha => self.alpha = Some(from.alpha),
-            ParamId::Eta => self.eta = Some(from.eta),
+            ParamId::RHO_D => self.rho_d = Some(from.params.rho_d),
+            ParamId::K_S => self.k_s = Some(from.params.k_s),
+            id => self.shared.extend(from.number(id).map(|value| (id, value))),
         }
     }
 
-    /// `params` with the values that are present replaced.
-    pub fn over(&self, mut params: Params) -> Params {
-        params.rho_d = self.rho_d.unwrap_or(params.rho_d);
-        params.k_s = self.k_s.unwrap_or(params.k_s);
-        params.s = self.s.unwrap_or(params.s);
-        params.alpha = self.alpha.unwrap_or(params.alpha);
-        params.eta = self.eta.unwrap_or(params.eta);
-        params
-    }
-}
-
-/// Smallest η of a fit. At 1, R_F vanishes but at grazing.
-pub const SMALLEST_ETA: f64 = 1.0001;
-
-/// Bounds of a fit where the user sets none: the slider's range for s and α, the domain for the others, with η at least
-/// [`SMALLEST_ETA`].
-pub fn default_bounds(row: &Param) -> Bounds {
-    match row.id {
-        ParamId::RhoD | ParamId::KS => row.domain,
-        ParamId::S | ParamId::Alpha => row.range,
-        ParamId::Eta => (SMALLEST_ETA, row.domain.1),
+    /// `brdf` with the values that are present replaced.
+    pub fn over(&self, mut brdf: Brdf) -> Brdf {
+        for row in brdf.model.rows() {
+            let values = self.get(row.id);
+            if !values.is_empty() {
+                brdf.get_mut(row.id).copy_from_slice(values);
+            }
+        }
+        brdf
     }
 }
 
@@ -162,7 +163,7 @@ pub fn default_bounds(row: &Param) -> Bounds {
 pub type Bounds = (f64, f64);
 
 /// Options of a fit: stages, held values, start, bounds.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct FitOptions {
     /// Stages that are run.
     pub stages: StageSet,
@@ -170,8 +171,8 @@ pub struct FitOptions {
     pub held: Partial,
     /// Values at which stage 1 starts instead of those that the data suggest. Stage 4 tries the data's starts as well.
     pub start: Partial,
-    /// Bounds of the parameters; [`default_bounds`] where `None`.
-    pub bounds: PerParam<Option<Bounds>>,
+    /// Bounds of parameters in place of those of their rows.
+    pub bounds: BTreeMap<ParamId, Bounds>,
 }
 
 impl Default for FitOptions {
@@ -181,7 +182,7 @@ impl Default for FitOptions {
             stages: StageSet::ALL,
             held: Partial::default(),
             start: Partial::default(),
-            bounds: PerParam::default(),
+            bounds: BTreeMap::new(),
         }
     }
 }
@@ -192,9 +193,9 @@ impl FitOptions {
         self.stages[stage]
     }
 
-    /// Bounds of a parameter of a model: those set, else the default ones.
+    /// Bounds of a parameter of a model: those set, else those of its row.
     pub fn bounds_of(&self, row: &Param) -> Bounds {
-        self.bounds[row.id].unwrap_or_else(|| default_bounds(row))
+        self.bounds.get(&row.id).copied().unwrap_or(row.bounds)
     }
 }
 

@@ -28,7 +28,7 @@ pub struct FitProgress {
     pub error: f64,
     /// Whether `error` is over all cells.
     pub all_cells: bool,
-    /// Number of shapes (s, α, η) that this stage has tried.
+    /// Number of shapes (lobe and η) that this stage has tried.
     pub evaluations: usize,
     /// Approximate share of the whole fit that is done, in [0, 1].
     pub share: f32,
@@ -51,7 +51,7 @@ pub struct StageReport {
     pub end: Brdf,
     /// E of `end`, over all cells; never above `start_error`.
     pub error: f64,
-    /// Number of shapes (s, α, η) that the stage has tried.
+    /// Number of shapes (lobe and η) that the stage has tried.
     pub evaluations: usize,
 }
 
@@ -82,11 +82,19 @@ impl EndReason {
 pub enum Concern {
     /// A parameter ended at its bound: its identity and the bound.
     AtBound(ParamId, f64),
-    /// The lobe is narrower than the bins at the highlight resolve.
-    TooGlossy,
+    /// A parameter ended at a bound beyond which nothing is to be had: what that means.
+    AtEnd(&'static str),
+    /// The lobe is narrower than the bins at the highlight resolve: the parameter that sets its width, and whether it is
+    /// a lower limit, as an exponent is, or an upper one.
+    TooGlossy {
+        /// Identity of the parameter.
+        id: ParamId,
+        /// Whether a larger value makes the lobe narrower.
+        is_lower_limit: bool,
+    },
     /// η is so near 1 that only k_s·R_F(0) is determined.
     EtaNearOne,
-    /// k_s is 0 in all channels, so that s, α and η mean nothing.
+    /// k_s is 0 in all channels, so that the lobe's parameters and η mean nothing.
     NoHighlight,
     /// The directional albedo of the model is above 1 at one of [`super::outcome::ALBEDO_ANGLES`].
     AlbedoAboveOne,
@@ -102,12 +110,21 @@ impl Concern {
                     id.key()
                 )
             }
-            Self::TooGlossy => {
-                "The highlight is narrower than a few bins of the table; s is a lower limit.".into()
+            Self::AtEnd(meaning) => (*meaning).into(),
+            Self::TooGlossy { id, is_lower_limit } => {
+                let limit = if *is_lower_limit {
+                    "a lower"
+                } else {
+                    "an upper"
+                };
+                format!(
+                    "The highlight is narrower than a few bins of the table; {} is {limit} limit.",
+                    id.key()
+                )
             }
             Self::EtaNearOne => "eta went to 1: only the product k_s R_F(0) is determined.".into(),
             Self::NoHighlight => {
-                "k_s is 0: the data show no lobe, and s, alpha, eta mean nothing.".into()
+                "k_s is 0: the data show no lobe, and its parameters and eta mean nothing.".into()
             }
             Self::AlbedoAboveOne => "The model reflects more light than it receives.".into(),
         }
@@ -126,7 +143,7 @@ pub struct Outcome {
     pub errors: Errors,
     /// Reports of the stages that were run, in order.
     pub stages: Vec<StageReport>,
-    /// Number of shapes (s, α, η) that were tried in all.
+    /// Number of shapes (lobe and η) that were tried in all.
     pub evaluations: usize,
     /// Reason why the fit ended.
     pub ended: EndReason,

@@ -4,7 +4,7 @@ use super::amplitudes::{AmplitudeBounds, AmplitudeUnits, Amplitudes};
 use super::error::ProblemError;
 use super::exact_l1;
 use super::kernels;
-use super::lobe_kernel::{LobeKernel, LobeShape};
+use super::lobes::LobeShape;
 use super::objective::SearchSpace;
 use super::options::{FitOptions, Variant, Weight};
 use super::outcome::Errors;
@@ -66,15 +66,15 @@ impl Problem {
 
     /// E of a model over all cells; one pass.
     pub fn error(&self, brdf: &Brdf) -> f64 {
-        let (lobe, amplitudes) = self.parts(brdf);
-        kernels::error(&lobe, &self.all, &amplitudes, Threads::Many)
+        let (shape, amplitudes) = self.parts(brdf);
+        kernels::error(&*shape.kernel(), &self.all, &amplitudes, Threads::Many)
     }
 
     /// E of a model in total and in parts; one pass.
     pub fn errors(&self, brdf: &Brdf) -> Errors {
-        let (lobe, amplitudes) = self.parts(brdf);
+        let (shape, amplitudes) = self.parts(brdf);
         let all = &self.all;
-        let parts = kernels::parts(&lobe, all, &amplitudes, Threads::Many);
+        let parts = kernels::parts(&*shape.kernel(), all, &amplitudes, Threads::Many);
         Errors {
             total: parts.channels.iter().sum(),
             grazing: (self.grazing && all.grazing_energy > 0.0)
@@ -83,7 +83,7 @@ impl Problem {
         }
     }
 
-    /// Model with the best ρ_d and k_s within their default bounds for its (s, α, η): stage 1.
+    /// Model with the best ρ_d and k_s within their default bounds for its shape: stage 1.
     pub fn with_best_amplitudes(&self, brdf: &Brdf) -> Brdf {
         let space = SearchSpace::new(Variant::from(brdf), &FitOptions::default(), self.units());
         let amplitudes = best_amplitudes(self, brdf, &space.limits);
@@ -100,19 +100,23 @@ impl Problem {
         AmplitudeUnits::new(self.all.scale)
     }
 
-    pub(super) fn parts(&self, brdf: &Brdf) -> (LobeKernel, Amplitudes) {
-        let shape = LobeShape::of(Variant::from(brdf), &brdf.params);
-        let amplitudes = self.units().amplitudes(&brdf.params);
-        (LobeKernel::new(shape, brdf.fresnel), amplitudes)
+    pub(super) fn parts(&self, brdf: &Brdf) -> (LobeShape, Amplitudes) {
+        let shape = LobeShape {
+            model: brdf.model,
+            fresnel: brdf.fresnel,
+            lobe: brdf.params.lobe,
+            eta: brdf.params.eta,
+        };
+        (shape, self.units().amplitudes(&brdf.params))
     }
 }
 
 /// Best amplitudes within limits for the shape of a model, whatever its own are: stage 1 alone.
 fn best_amplitudes(problem: &Problem, brdf: &Brdf, limits: &AmplitudeBounds) -> Amplitudes {
     let all = &problem.all;
-    let (lobe, _) = problem.parts(brdf);
-    let shapes = kernels::shapes(&lobe, all);
-    let start = regression::cold(all, limits);
+    let (shape, _) = problem.parts(brdf);
+    let shapes = kernels::shapes(&*shape.kernel(), all);
+    let start = regression::cold(all, limits, shape.height());
     let effort = Effort {
         band: Effort::COLD.band,
         ..Effort::CLOSE

@@ -60,11 +60,11 @@ const NARROW_ENOUGH: f64 = 1.5;
 /// Share of the majorant that is added to the curvature, which few residuals within the band may leave too small.
 const SAFEGUARD: f64 = 0.02;
 
-/// Start without information: the mean as diffuse, hardly any highlight.
-pub fn cold(cells: &SymmetricCells, limits: &AmplitudeBounds) -> Amplitudes {
+/// Start without information: the mean as diffuse, hardly any highlight of a shape of this height.
+pub fn cold(cells: &SymmetricCells, limits: &AmplitudeBounds, height: f64) -> Amplitudes {
     limits.clamp(Amplitudes {
         diffuse: cells.energy.map(|share| 2.0 * share),
-        specular: cells.energy.map(|share| 1e-3 * share),
+        specular: cells.energy.map(|share| 1e-3 * share / height),
     })
 }
 

@@ -112,6 +112,20 @@ impl<S: Simd> Lanes<S> {
         Self::new(self.simd, self.simd.select_f32s(mask, self.value, zero))
     }
 
+    /// self where `low` < `high`, 0 elsewhere.
+    #[inline(always)]
+    pub fn where_lt(self, low: Self, high: Self) -> Self {
+        let mask = self.simd.less_than_f32s(low.value, high.value);
+        let zero = self.simd.splat_f32s(0.0);
+        Self::new(self.simd, self.simd.select_f32s(mask, self.value, zero))
+    }
+
+    /// Square root of each number.
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        Self::new(self.simd, self.simd.sqrt_f32s(self.value))
+    }
+
     /// Sum over the lanes.
     #[inline(always)]
     pub fn total(self) -> f64 {

@@ -6,7 +6,7 @@ use super::amplitudes::AmplitudeBounds;
 use super::diagnostics;
 use super::exact_l1;
 use super::kernels;
-use super::lobe_kernel::{LobeKernel, LobeShape, SearchPoint};
+use super::lobes::LobeShape;
 use super::multistart::{self, StartGrid};
 use super::objective::{AmplitudeRule, Candidate, SearchSpace};
 use super::options::{FitOptions, Variant};
@@ -15,7 +15,7 @@ use super::problem::Problem;
 use super::regression::{self, Effort};
 use super::stages::Stage;
 use super::threads::Threads;
-use crate::brdf::{Brdf, Params, albedo};
+use crate::brdf::{Brdf, albedo};
 use descents::Refinement;
 use std::ops::ControlFlow;
 
@@ -43,8 +43,8 @@ pub(super) struct StagedFit<'a, 'w> {
     starts: Option<Vec<Candidate>>,
     /// Grid that the starts are chosen from, shared with other fits.
     grid: &'w mut StartGrid,
-    /// Contained fits as candidates, with the parameters that they were reported with.
-    contained_fits: Vec<(Candidate, Params)>,
+    /// Contained fits as candidates, with the model that equals each of them.
+    contained_fits: Vec<(Candidate, Brdf)>,
     stages: Vec<StageReport>,
     stage: Stage,
     evaluations: usize,
@@ -138,26 +138,23 @@ impl<'a, 'w> StagedFit<'a, 'w> {
 
     /// Start of stage 1: the user's start where it is complete, else the best start of the data.
     fn start(&mut self) -> Candidate {
-        let given = self.options.start;
+        let given = &self.options.start;
         let variant = self.space.variant;
-        let complete = variant.model.params.iter().all(|row| {
-            let brdf = variant.with(Params::default());
-            row.id.is_color()
-                || !brdf.uses(row.id)
-                || given.has(row.id)
-                || self.options.held.has(row.id)
-        });
+        let defaults = Brdf::new(variant.model, variant.fresnel);
+        let mut shared = defaults.used().filter(|row| !row.id.is_color());
+        let complete = shared.all(|row| given.has(row.id) || self.options.held.has(row.id));
         let from_data = if complete {
             None
         } else {
             self.starts().first().copied()
         };
-        let mut params = match from_data {
-            Some(start) => self.space.params(&start, self.options),
-            None => Params::default(),
+        let brdf = match from_data {
+            Some(start) => self.space.brdf(&start, self.options),
+            None => defaults,
         };
-        params = self.options.held.over(given.over(params));
-        let point = self.space.clamp(LobeShape::of(variant, &params).point());
+        let given = &self.options.start;
+        let brdf = self.options.held.over(given.over(brdf));
+        let point = self.space.clamp(self.space.point(&brdf));
         let mut objective = self.objective(
             &self.problem.coarse,
             AmplitudeRule::Optimised(self.space.limits),
@@ -165,7 +162,7 @@ impl<'a, 'w> StagedFit<'a, 'w> {
         );
         let mut start = objective.error(point);
         // Amplitudes that are given are where the stages begin, unless the first of them solves for its own.
-        let amplitudes = self.space.units.amplitudes(&params);
+        let amplitudes = self.space.units.amplitudes(&brdf.params);
         if given.rho_d.is_some() {
             start.amplitudes.diffuse = amplitudes.diffuse;
         }
@@ -217,20 +214,18 @@ impl<'a, 'w> StagedFit<'a, 'w> {
             *self.grid = grid;
             found
         };
-        for (brdf, errors) in contained {
-            let point = LobeShape::of(Variant::from(&brdf), &brdf.params).point();
-            let (_, amplitudes) = self.problem.parts(&brdf);
+        for (inner, errors) in contained {
+            let brdf = inner.with_model(self.space.variant.model);
             let candidate = Candidate {
-                point,
-                amplitudes,
+                point: self.space.point(&brdf),
+                amplitudes: self.space.units.amplitudes(&brdf.params),
                 error: errors.total,
             };
             near.push(candidate);
-            let brdf = brdf.with_model(self.space.variant.model);
-            self.contained_fits.push((candidate, brdf.params));
+            self.contained_fits.push((candidate, brdf));
             found.push(Best {
                 candidate,
-                brdf: self.space.variant.with(brdf.params),
+                brdf,
                 errors,
             });
         }
@@ -248,7 +243,8 @@ impl<'a, 'w> StagedFit<'a, 'w> {
             .first()
             .map_or(f64::INFINITY, |best| 1.03 * best.0.error);
         ends.retain(|end| end.0.error <= limit);
-        ends.dedup_by(|a, b| multistart::nearly_equal(a.0.point, b.0.point));
+        let variant = self.space.variant;
+        ends.dedup_by(|a, b| multistart::nearly_equal(variant, a.0.point, b.0.point));
         ends.truncate(2);
         ends.extend(near.into_iter().map(|candidate| (candidate, None)));
         let medium = Refinement::medium(self.problem);
@@ -294,7 +290,8 @@ impl<'a, 'w> StagedFit<'a, 'w> {
     /// Candidate with its amplitudes solved on all cells and its E: exactly, or near the minimum by regression alone.
     fn solve(&self, near: &Candidate, limits: &AmplitudeBounds, exactly: bool) -> Best {
         let all = &self.problem.all;
-        let shapes = kernels::shapes(&self.lobe(near.point), all);
+        let shape = LobeShape::at(self.space.variant, &near.point);
+        let shapes = kernels::shapes(&*shape.kernel(), all);
         let (mut amplitudes, _) = regression::solve(
             all,
             &shapes,
@@ -312,21 +309,15 @@ impl<'a, 'w> StagedFit<'a, 'w> {
         })
     }
 
-    fn lobe(&self, point: SearchPoint) -> LobeKernel {
-        LobeKernel::new(LobeShape::at(point), self.space.variant.fresnel)
-    }
-
     fn brdf(&self, candidate: &Candidate) -> Brdf {
         // Through logarithms and back a number may differ in its last digit, and a fit be worse than one it contains.
-        let is_this = |known: &&(Candidate, Params)| {
+        let is_this = |known: &&(Candidate, Brdf)| {
             known.0.point == candidate.point && known.0.amplitudes == candidate.amplitudes
         };
-        if let Some((_, params)) = self.contained_fits.iter().find(is_this) {
-            return self.space.variant.with(*params);
+        match self.contained_fits.iter().find(is_this) {
+            Some((_, brdf)) => *brdf,
+            None => self.space.brdf(candidate, self.options),
         }
-        self.space
-            .variant
-            .with(self.space.params(candidate, self.options))
     }
 
     fn report_progress(

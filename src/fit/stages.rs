@@ -1,16 +1,16 @@
 //! Stages of the staged fit [Nielsen14], and a choice of them.
 
-use crate::brdf::ParamId;
+use crate::brdf::{Model, ParamId};
 use std::ops::{Index, IndexMut};
 
 /// Stage of the staged fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Stage {
-    /// Stage 1: ρ_d and k_s for fixed s, α, η; exact [Nielsen14].
+    /// Stage 1: ρ_d and k_s for a fixed shape; exact [Nielsen14].
     Amplitudes,
-    /// Stage 2: s, α and η for fixed ρ_d and k_s [Nielsen14].
+    /// Stage 2: the lobe's parameters and η for fixed ρ_d and k_s [Nielsen14].
     Shape,
-    /// Stage 3: s, α, k_s and η for fixed ρ_d [Nielsen14].
+    /// Stage 3: the lobe's parameters, η and k_s for fixed ρ_d [Nielsen14].
     ShapeAndSpecular,
     /// Stage 4: all parameters together, from several starts.
     Joint,
@@ -35,14 +35,17 @@ impl Stage {
         STAGES.into_iter().find(|stage| stage.number() == number)
     }
 
-    /// Symbols of the parameters that the stage moves, in the markup of [`crate::figure::text`].
-    pub fn symbols(self) -> &'static str {
-        match self {
-            Self::Amplitudes => "ρ_{d}, k_{s}",
-            Self::Shape => "s, α, η",
-            Self::ShapeAndSpecular => "s, α, η, k_{s}",
-            Self::Joint => "all",
+    /// Symbols of the parameters of a model that the stage moves, in the markup of [`crate::figure::text`].
+    pub fn symbols(self, model: &Model) -> String {
+        if self == Self::Joint {
+            return "all".into();
         }
+        // The shape first: what sets the stages apart.
+        let rows = || model.rows().filter(|row| self.moves(row.id));
+        let shape = rows().filter(|row| !row.id.is_color());
+        let colors = rows().filter(|row| row.id.is_color());
+        let symbols: Vec<&str> = shape.chain(colors).map(|row| row.symbol).collect();
+        symbols.join(", ")
     }
 
     /// Whether the stage may move a parameter.
@@ -50,7 +53,7 @@ impl Stage {
         match self {
             Self::Amplitudes => id.is_color(),
             Self::Shape => !id.is_color(),
-            Self::ShapeAndSpecular => id != ParamId::RhoD,
+            Self::ShapeAndSpecular => id != ParamId::RHO_D,
             Self::Joint => true,
         }
     }
@@ -61,9 +64,9 @@ impl Stage {
 pub struct StageSet {
     /// Whether stage 1 is run: ρ_d and k_s.
     pub amplitudes: bool,
-    /// Whether stage 2 is run: s, α and η.
+    /// Whether stage 2 is run: the lobe's parameters and η.
     pub shape: bool,
-    /// Whether stage 3 is run: s, α, η and k_s.
+    /// Whether stage 3 is run: the lobe's parameters, η and k_s.
     pub shape_and_specular: bool,
     /// Whether stage 4 is run: all parameters together.
     pub joint: bool,

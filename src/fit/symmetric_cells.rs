@@ -25,6 +25,9 @@ pub const ABSENT: f32 = -1.0;
 /// Number of symmetric cells in a full row: one per φd bin below 90°.
 const PER_ROW: usize = 90;
 
+/// Largest number of cells in a row, padded to whole blocks.
+pub const ROW_CELLS: usize = PER_ROW.next_multiple_of(LANES);
+
 /// Size of an even sample of the cells.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampling {

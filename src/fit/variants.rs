@@ -5,7 +5,7 @@ use super::options::{FitOptions, Variant};
 use super::outcome::{EndReason, FitProgress, Outcome, Watch};
 use super::problem::Problem;
 use super::staged_fit::StagedFit;
-use crate::brdf::{MODELS, ParamId};
+use crate::brdf::Contained;
 use std::ops::ControlFlow;
 
 /// Fits a variant.
@@ -77,28 +77,39 @@ fn fit_knowing(
     })
 }
 
-/// Variants that equal this one at some α, with the equivalent options for them.
+/// Variants that this one contains, with the equivalent options for them.
 fn contained_variants(variant: Variant, options: &FitOptions) -> Vec<(Variant, FitOptions)> {
-    let Some(alpha) = variant.model.param(ParamId::Alpha) else {
-        return Vec::new();
+    let with_options = |contained: &'static Contained| {
+        let (outer, inner) = (variant.model, contained.model);
+        // What sets the two apart must be free to take the value at which they are equal.
+        let apart = outer.params[contained.factors.len()..].iter();
+        let mut apart = apart.zip(contained.fixed);
+        let may = apart.all(|(row, fixed)| {
+            let (low, high) = options.bounds_of(row);
+            !options.held.has(row.id) && (low..=high).contains(fixed)
+        });
+        let mut of_inner = options.clone();
+        for ((factor, row), to) in contained.factors.iter().zip(outer.params).zip(inner.params) {
+            for values in [&mut of_inner.held.shared, &mut of_inner.start.shared] {
+                if let Some(value) = values.remove(&row.id) {
+                    values.insert(to.id, value / factor);
+                }
+            }
+            if let Some((low, high)) = of_inner.bounds.remove(&row.id) {
+                of_inner.bounds.insert(to.id, (low / factor, high / factor));
+            }
+        }
+        let fresnel = variant.fresnel;
+        let variant = Variant {
+            model: inner,
+            fresnel,
+        };
+        may.then_some((variant, of_inner))
     };
-    if options.held.alpha.is_some() {
-        return Vec::new();
-    }
-    let (low, high) = options.bounds_of(alpha);
-    let within = |alpha: f64| (low..=high).contains(&alpha);
-    MODELS
-        .into_iter()
-        .filter(|model| model.alpha.is_some_and(within))
-        .map(|model| {
-            let ratio = model.exponent_ratio / variant.model.exponent_ratio;
-            let mut inner = *options;
-            inner.held.s = inner.held.s.map(|s| s * ratio);
-            inner.start.s = inner.start.s.map(|s| s * ratio);
-            let bounds = inner.bounds.s;
-            inner.bounds.s = bounds.map(|(low, high)| (low * ratio, high * ratio));
-            let fresnel = variant.fresnel;
-            (Variant { model, fresnel }, inner)
-        })
+    variant
+        .model
+        .contains
+        .iter()
+        .filter_map(with_options)
         .collect()
 }

@@ -24,6 +24,14 @@ impl Cosine {
         }
     }
 
+    /// Cosine of an angle in [0, π/2] radians.
+    pub fn of(angle: f64) -> Self {
+        Self {
+            cos: angle.cos().max(0.0),
+            versine: (2.0 * (0.5 * angle).sin().powi(2)).min(1.0),
+        }
+    }
+
     /// cos^exponent for exponent > 0; from the versine where that is below ½, from the cosine elsewhere.
     pub fn pow(self, exponent: f64) -> f64 {
         let ln = if self.versine < 0.5 {
@@ -46,8 +54,8 @@ pub struct Cosines {
     pub wr_wo: Cosine,
     /// wh·n, clamped at 0.
     pub wh_n: Cosine,
-    /// max(wi·wh, 0) = cos θd, in [0, 1].
-    pub wi_dot_wh: f64,
+    /// wi·wh = cos θd, clamped at 0.
+    pub wi_wh: Cosine,
 }
 
 impl Cosines {
@@ -59,7 +67,7 @@ impl Cosines {
             cos_theta_o: wo.z,
             wr_wo: Cosine::between(mirror(wi), wo),
             wh_n: Cosine::between(wh, NORMAL),
-            wi_dot_wh: wi.dot(wh).max(0.0),
+            wi_wh: Cosine::between(wi, wh),
         }
     }
 
@@ -89,6 +97,8 @@ mod tests {
             assert!((c.wr_wo.cos - wr.dot(wo).max(0.0)).abs() < 1e-15);
             assert!((1.0 - c.wh_n.versine - (wi + wo).normalize().z).abs() < 1e-15);
             assert!((1.0 - c.wh_n.versine - c.wh_n.cos).abs() < 1e-15);
+            assert!((1.0 - c.wi_wh.versine - wi.dot((wi + wo).normalize())).abs() < 1e-15);
+            assert!((1.0 - c.wi_wh.versine - c.wi_wh.cos).abs() < 1e-15);
         }
     }
 

@@ -11,7 +11,7 @@ struct Cosines {
     cos_theta_o: f32,
     wr_wo: Cosine,
     wh_n: Cosine,
-    wi_dot_wh: f32,
+    wi_wh: Cosine,
 }
 
 fn half_vector(wi: vec3f, wo: vec3f) -> vec3f {
@@ -36,7 +36,7 @@ fn cosines_from_directions(wi: vec3f, wo: vec3f) -> Cosines {
         wo.z,
         cosine_between(wr, wo),
         cosine_between(wh, vec3f(0.0, 0.0, 1.0)),
-        max(dot(wi, wh), 0.0),
+        cosine_between(wi, wh),
     );
 }
 

@@ -86,11 +86,8 @@ impl HalfDiff {
                 cos: wr_dot_wo.clamp(0.0, 1.0),
                 versine: (1.0 - wr_dot_wo).clamp(0.0, 1.0),
             },
-            wh_n: Cosine {
-                cos: cos_h.max(0.0),
-                versine: (2.0 * (0.5 * self.theta_h).sin().powi(2)).min(1.0),
-            },
-            wi_dot_wh: cos_d.max(0.0),
+            wh_n: Cosine::of(self.theta_h),
+            wi_wh: Cosine::of(self.theta_d),
         }
     }
 }
@@ -154,7 +151,7 @@ mod tests {
             prop_assert!((a.cos_theta_o - b.cos_theta_o).abs() < 1e-12);
             prop_assert!((a.wr_wo.versine - b.wr_wo.versine).abs() < 1e-12);
             prop_assert!((a.wh_n.versine - b.wh_n.versine).abs() < 1e-12);
-            prop_assert!((a.wi_dot_wh - b.wi_dot_wh).abs() < 1e-12);
+            prop_assert!((a.wi_wh.cos - b.wi_wh.cos).abs() < 1e-12);
         }
     }
 

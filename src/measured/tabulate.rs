@@ -23,6 +23,7 @@ pub fn tabulate(brdf: &Brdf, grid: Grid) -> Table {
 mod tests {
     use super::*;
     use crate::brdf::fresnel::FRESNELS;
+    use crate::brdf::params::lobe_values;
     use crate::brdf::{MODELS, Params};
     use crate::measured::merl;
     use std::ops::ControlFlow;
@@ -34,8 +35,7 @@ mod tests {
             params: Params {
                 rho_d: [0.3, 0.2, 1e-3],
                 k_s: [30.0, 20.0, 1e4],
-                s: 80.0,
-                alpha: 0.3,
+                lobe: lobe_values([80.0, 0.3]),
                 eta: 1.6,
             },
         }
@@ -90,7 +90,7 @@ mod tests {
         }
         let brdf = brdf(2, 1);
         let mut planted = brdf;
-        planted.params.s *= 1.0 + 1e-4;
+        planted.params.lobe[0] *= 1.0 + 1e-4;
         let worst = worst_distance(&tabulate(&planted, Grid::FOLDED), &brdf);
         assert!(worst.expect("the same cells are valid") > 10.0);
     }

@@ -1,6 +1,8 @@
 //! Fits as a file holds them, and measured files to go with them.
 
 use super::merl::merl_file;
+use grazing::brdf::COMBINED;
+use grazing::brdf::params::lobe_values;
 use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
 use grazing::files::fits::{FitRecord, SourceFile, write_json};
 use grazing::fit::{EndReason, Errors, FitOptions, Weight};
@@ -13,9 +15,8 @@ pub fn combined(s: f64, alpha: f64) -> Brdf {
         model: MODELS[2],
         fresnel: Fresnel::Exact,
         params: Params {
-            s,
-            alpha,
-            ..Params::default()
+            lobe: lobe_values([s, alpha]),
+            ..COMBINED.default_params()
         },
     }
 }

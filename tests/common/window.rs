@@ -135,12 +135,12 @@ pub fn settings<T: Settings>(window: &Window) -> &T {
 }
 
 pub fn s(window: &Window) -> f64 {
-    value(window, ParamId::S)
+    value(window, ParamId("s"))
 }
 
 pub fn value(window: &Window, id: ParamId) -> f64 {
     let state = window.state().state();
-    state.current().expect("a material").1.brdf.params.get(id)[0]
+    state.current().expect("a material").1.brdf.get(id)[0]
 }
 
 pub fn click(window: &mut Window, name: &str) {

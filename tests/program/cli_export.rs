@@ -2,6 +2,7 @@
 
 use crate::common::folder::Folder;
 use crate::common::program::{failed, grazing, stderr, stdout, succeeded};
+use grazing::brdf::params::lobe_values;
 use grazing::brdf::{Brdf, COMBINED, Fresnel, Params, codegen};
 use grazing::geom::direction;
 use grazing::measured::{Lookup, merl};
@@ -24,8 +25,7 @@ fn second() -> Brdf {
         params: Params {
             rho_d: [0.2, 0.1, 0.05],
             k_s: [9.0, 8.0, 7.0],
-            s: 120.0,
-            alpha: 0.4,
+            lobe: lobe_values([120.0, 0.4]),
             eta: 1.5,
         },
     }

@@ -3,6 +3,7 @@
 use crate::common::folder::Folder;
 use crate::common::merl::merl_file;
 use crate::common::program::{failed, grazing, stderr, stdout, succeeded};
+use grazing::brdf::params::lobe_values;
 use grazing::brdf::{Brdf, COMBINED, Fresnel, MODELS, Params};
 use grazing::geom::direction;
 use serde_json::Value;
@@ -19,8 +20,7 @@ fn material(folder: &Folder, name: &str, s: f64) -> PathBuf {
         params: Params {
             rho_d: [0.3, 0.2, 0.1],
             k_s: [20.0, 25.0, 30.0],
-            s,
-            alpha: 0.5,
+            lobe: lobe_values([s, 0.5]),
             eta: 1.5,
         },
     };
@@ -182,7 +182,7 @@ fn good_files_are_fitted_and_a_bad_one_between_them_is_named() {
         .collect();
     let expected: Vec<_> = ["first one", "second"]
         .into_iter()
-        .flat_map(|name| MODELS.map(|model| [name, model.key, "exact"]))
+        .flat_map(|name| MODELS.iter().map(move |model| [name, model.key, "exact"]))
         .collect();
     assert_eq!(variants, expected);
     for fit in &fits {
@@ -484,7 +484,7 @@ fn every_bad_option_has_its_line() {
         ("--start s=nan", "s: \"nan\" is no number"),
         (
             "--start s=0",
-            "s = 0 is out of range; expected 0.001 to 10000000",
+            "s = 0 is out of range; expected 0.000001 to 10000000",
         ),
         (
             "--start alpha=1.5",

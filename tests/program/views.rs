@@ -2,6 +2,7 @@
 
 use crate::common::folder::Folder;
 use crate::common::program::{grazing, succeeded};
+use grazing::brdf::params::lobe_values;
 use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
 use grazing::figure::Channel;
 use grazing::figure::heatmap::{Cell, HeatField};
@@ -79,8 +80,7 @@ fn the_image_slice_has_the_values_of_eval() {
     let params = Params {
         rho_d: [0.3, 0.2, 0.1],
         k_s: [2.0, 3.0, 4.0],
-        s: 40.0,
-        alpha: 0.3,
+        lobe: lobe_values([40.0, 0.3]),
         eta: 1.6,
     };
     let model = Source::Model(Brdf {

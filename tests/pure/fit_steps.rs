@@ -51,7 +51,7 @@ pub(crate) fn shown_id(state: &State) -> MaterialId {
 
 pub(crate) fn with_s(state: &State, s: f64) -> Brdf {
     let mut brdf = shown(state);
-    brdf.params.s = s;
+    brdf.params.lobe[0] = s;
     brdf
 }
 
@@ -122,7 +122,7 @@ fn a_fit_is_one_step_whatever_is_edited_meanwhile() {
     for s in [7.0, 8.0] {
         let brdf = with_s(&state, s);
         say(&mut state, job, 0, brdf);
-        assert_eq!(shown(&state).params.s, s, "the model follows");
+        assert_eq!(shown(&state).params.lobe[0], s, "the model follows");
     }
     run(&mut state, Command::UseScale(LobeScale::Log));
     apply(&mut state, Msg::Settle);
@@ -225,9 +225,9 @@ fn a_slider_takes_over_from_the_fit() {
     let mut state = state(1);
     let job = job(&run(&mut state, Command::Fit));
     let mut best = with_s(&state, 7.0);
-    best.params.alpha = 0.25;
+    best.params.lobe[1] = 0.25;
     say(&mut state, job, 0, best);
-    set(&mut state, ParamId::S, 20.0);
+    set(&mut state, ParamId("s"), 20.0);
     apply(&mut state, Msg::Settle);
     assert!(
         state
@@ -237,7 +237,7 @@ fn a_slider_takes_over_from_the_fit() {
             .is_some_and(|run| run.cancel.is_set())
     );
     assert_eq!(
-        (shown(&state).params.s, shown(&state).params.alpha),
+        (shown(&state).params.lobe[0], shown(&state).params.lobe[1]),
         (20.0, 0.25)
     );
     done(
@@ -245,7 +245,11 @@ fn a_slider_takes_over_from_the_fit() {
         job,
         vec![outcome(best, 0.1, EndReason::Cancelled)],
     );
-    assert_eq!(shown(&state).params.s, 20.0, "the slider has the last word");
+    assert_eq!(
+        shown(&state).params.lobe[0],
+        20.0,
+        "the slider has the last word"
+    );
     run(&mut state, Command::Undo);
     assert_eq!(shown(&state), best);
 }
@@ -259,14 +263,14 @@ fn a_fit_goes_on_for_its_own_material() {
     let best = with_s(&state, 7.0);
     say(&mut state, job, 0, best);
     assert_eq!(shown(&state), other, "another material is shown");
-    set(&mut state, ParamId::S, 99.0);
+    set(&mut state, ParamId("s"), 99.0);
     assert!(state.fit.run.as_ref().is_some_and(|run| !run.stopping));
     done(
         &mut state,
         job,
         vec![outcome(best, 0.1, EndReason::Converged)],
     );
-    assert_eq!(shown(&state).params.s, 99.0);
+    assert_eq!(shown(&state).params.lobe[0], 99.0);
     assert_eq!(state.materials[&own].fits.len(), 1);
     assert_eq!(state.scene.opened[1].brdf, best);
 }
@@ -312,18 +316,18 @@ fn several_variants_leave_the_model_alone() {
     say(&mut state, number, 1, brdfs[1]);
     assert_eq!(shown(&state), before);
     // Moving a slider does not concern it.
-    set(&mut state, ParamId::S, 20.0);
+    set(&mut state, ParamId("s"), 20.0);
     assert!(state.fit.run.as_ref().is_some_and(|run| !run.stopping));
     let outcomes = brdfs
         .iter()
         .map(|brdf| outcome(*brdf, 0.1, EndReason::Converged));
     done(&mut state, number, outcomes.collect());
-    assert_eq!((shown(&state).params.s, fits(&state)), (20.0, 6));
+    assert_eq!((shown(&state).params.lobe[0], fits(&state)), (20.0, 6));
     apply(&mut state, Msg::Settle);
     apply(&mut state, Msg::Fit(FitMsg::Show(variants[1])));
     assert_eq!(shown(&state), brdfs[1]);
     run(&mut state, Command::Undo);
-    assert_eq!(shown(&state).params.s, 20.0);
+    assert_eq!(shown(&state).params.lobe[0], 20.0);
 }
 
 #[test]
@@ -379,7 +383,7 @@ fn answer(state: &mut State, tasks: &[Task], k_s: f64) {
 fn a_drag_with_its_best_amplitudes_is_one_step() {
     let mut state = state(1);
     assert!(
-        set(&mut state, ParamId::S, 10.0).is_empty(),
+        set(&mut state, ParamId("s"), 10.0).is_empty(),
         "nothing is asked unless wanted"
     );
     apply(&mut state, Msg::Settle);
@@ -387,11 +391,11 @@ fn a_drag_with_its_best_amplitudes_is_one_step() {
     answer(&mut state, &tasks, 3.0);
     let before = shown(&state);
     assert_eq!(before.params.k_s, [3.0; 3]);
-    let first = set(&mut state, ParamId::S, 11.0);
-    let second = set(&mut state, ParamId::S, 12.0);
+    let first = set(&mut state, ParamId("s"), 11.0);
+    let second = set(&mut state, ParamId("s"), 12.0);
     answer(&mut state, &first, 4.0);
     assert_eq!(
-        (shown(&state).params.s, shown(&state).params.k_s[0]),
+        (shown(&state).params.lobe[0], shown(&state).params.k_s[0]),
         (12.0, 4.0)
     );
     apply(&mut state, Msg::Settle);
@@ -406,7 +410,7 @@ fn a_drag_with_its_best_amplitudes_is_one_step() {
     // Switching it on was a step of its own.
     run(&mut state, Command::Undo);
     assert_ne!(shown(&state).params.k_s, before.params.k_s);
-    assert_eq!(shown(&state).params.s, 10.0);
+    assert_eq!(shown(&state).params.lobe[0], 10.0);
 }
 
 #[test]
@@ -425,7 +429,7 @@ fn best_amplitudes_follow_the_model_and_what_cannot_be_had_says_so() {
         };
         assert_eq!(asked.brdf, shown(&state));
     }
-    let tasks = set(&mut state, ParamId::S, 4.0);
+    let tasks = set(&mut state, ParamId("s"), 4.0);
     let Some(Task::RefitAmplitudes(asked)) = tasks.last() else {
         panic!("{tasks:?}")
     };

@@ -41,7 +41,7 @@ fn what_is_opened_is_fitted_as_part_of_the_opening() {
     assert!(!state.history.can_undo());
     // It is fitted once: nothing that happens later starts it again.
     assert!(apply(&mut state, Msg::Settle).is_empty());
-    set(&mut state, ParamId::S, 90.0);
+    set(&mut state, ParamId("s"), 90.0);
     assert!(run(&mut state, Command::Undo).is_empty());
     assert_eq!(shown(&state), best);
 }
@@ -67,10 +67,10 @@ fn a_slider_ends_it_and_it_does_not_come_back() {
     let job = job(&open(&mut state, 0));
     let so_far = with_s(&state, 7.0);
     say(&mut state, job, 0, so_far);
-    set(&mut state, ParamId::Alpha, 0.25);
+    set(&mut state, ParamId("alpha"), 0.25);
     apply(&mut state, Msg::Settle);
     let moved = shown(&state);
-    assert_eq!((moved.params.s, moved.params.alpha), (7.0, 0.25));
+    assert_eq!((moved.params.lobe[0], moved.params.lobe[1]), (7.0, 0.25));
     let past = with_s(&state, 9.0);
     end(&mut state, job, past);
     assert_eq!(shown(&state), moved);

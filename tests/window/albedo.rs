@@ -64,7 +64,7 @@ fn curves_are_computed_and_follow_the_model() {
     let ctx = window.ctx.clone();
     let old = distance(&window);
     let change = Msg::SetParam {
-        id: brdf::ParamId::RhoD,
+        id: brdf::ParamId::RHO_D,
         channel: None,
         value: 0.9,
     };

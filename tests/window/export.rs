@@ -90,7 +90,7 @@ fn a_model_is_saved_as_every_kind_of_file() {
     for (text, export) in texts.iter().zip(exports) {
         assert_eq!(String::from_utf8_lossy(text), export(&brdf, Some("teflon")));
         let mut planted = brdf;
-        planted.params.s = 120.0;
+        planted.params.lobe[0] = 120.0;
         assert_ne!(
             String::from_utf8_lossy(text),
             export(&planted, Some("teflon"))

@@ -306,10 +306,10 @@ fn ticking_keeps_the_amplitudes_at_their_best() {
         settle(&mut window, best);
         assert_eq!(s(&window), s_now);
     }
-    let (k_s, at_best) = (value(&window, ParamId::KS), s(&window));
+    let (k_s, at_best) = (value(&window, ParamId::K_S), s(&window));
     press(&mut window, Modifiers::COMMAND, Key::Z);
     press(&mut window, Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
-    assert_eq!((value(&window, ParamId::KS), s(&window)), (k_s, at_best));
+    assert_eq!((value(&window, ParamId::K_S), s(&window)), (k_s, at_best));
 }
 
 #[test]

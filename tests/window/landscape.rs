@@ -40,8 +40,11 @@ fn a_click_takes_the_best_model_there_as_one_step() {
     drag(&mut window, &[point, point]);
     let taken = window.state().state().current().expect("one").1.brdf;
     assert_eq!(taken.model.key, "combined");
-    assert!(taken.params.s > 1.0 && taken.params.s < 1e4, "{taken:?}");
-    assert!(taken.params.alpha > 0.3 && taken.params.alpha < 0.7);
+    assert!(
+        taken.params.lobe[0] > 1.0 && taken.params.lobe[0] < 1e4,
+        "{taken:?}"
+    );
+    assert!(taken.params.lobe[1] > 0.3 && taken.params.lobe[1] < 0.7);
     // ρ_d and k_s become those of all cells.
     let state = window.state().state();
     let (material, _) = state.current().expect("one");
@@ -55,9 +58,9 @@ fn a_click_takes_the_best_model_there_as_one_step() {
     });
     run(&mut window, Command::Undo);
     assert_eq!(window.state().state().scene, before, "one step");
-    let s = value(&window, ParamId::S);
+    let s = value(&window, ParamId("s"));
     window.run_steps(10);
-    assert_eq!(value(&window, ParamId::S), s);
+    assert_eq!(value(&window, ParamId("s")), s);
 }
 
 #[test]
@@ -71,7 +74,7 @@ fn the_way_of_a_fit_is_kept_and_ends_at_its_model() {
     let way = path(state);
     assert!(way.len() > 2 && way.len() <= 401, "{}", way.len());
     let params = state.current().expect("one").1.brdf.params;
-    assert_eq!(way.last(), Some(&[params.s, params.alpha]));
+    assert_eq!(way.last(), Some(&[params.lobe[0], params.lobe[1]]));
     open(&mut window);
     made(&mut window);
     let slot = window

@@ -66,7 +66,7 @@ fn a_step_back_shows_what_was_there_whatever_was_dragged() {
     let mut window = window(vec![], vec![]);
     run(&mut window, Command::Lesson(0));
     settle(&mut window, is_set);
-    let s = |window: &Window| value(window, ParamId::S);
+    let s = |window: &Window| value(window, ParamId("s"));
     let model = |window: &Window| {
         window
             .state()

@@ -478,8 +478,8 @@ fn fitted_materials_are_dots_that_show_them() {
     let rect = window.get_by_role_and_label(Role::Image, "Scatter").rect();
     let dot = |fit: &FitRecord| ScatterDot {
         name: fit.material.clone(),
-        s: fit.brdf.params.s,
-        alpha: fit.brdf.params.alpha,
+        s: fit.brdf.params.lobe[0],
+        alpha: fit.brdf.params.lobe[1],
         fill: ColorRole::Muted,
         ring: None,
         shown: false,

@@ -177,7 +177,7 @@ fn a_fit_file_finds_its_measured_file() {
     let window = window(&[&fits], None, None);
     let state = window.state().state();
     is_shown(state, &file);
-    assert_eq!(state.current().expect("one").1.brdf.params.s, 21.0);
+    assert_eq!(state.current().expect("one").1.brdf.params.lobe[0], 21.0);
 }
 
 /// The autosave folder, the session that it belongs to, and the data: all of such names.

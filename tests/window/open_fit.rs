@@ -6,7 +6,8 @@ use crate::common::window::{Window, send};
 use grazing::app::msg::Msg;
 use grazing::app::state::State;
 use grazing::app::state::notice::{Notice, Severity};
-use grazing::brdf::{Brdf, Fresnel, Params};
+use grazing::brdf::COMBINED;
+use grazing::brdf::{Brdf, Fresnel};
 use grazing::files;
 use grazing::files::fits::{FitRecord, SourceFile};
 use std::ops::ControlFlow;
@@ -31,7 +32,7 @@ fn open(window: &mut Window, file: &Path) {
 fn record(name: &str, source: Option<SourceFile>, s: f64, error: f64) -> FitRecord {
     let brdf = Brdf {
         fresnel: Fresnel::Schlick,
-        ..combined(s, Params::default().alpha)
+        ..combined(s, COMBINED.default_lobe()[1])
     };
     records::record(name, source, brdf, error)
 }
@@ -48,7 +49,7 @@ fn shown(state: &State) -> Vec<(&str, f64, bool)> {
     let row = opened.map(|opened| {
         let material = &state.materials[&opened.id];
         let measured = material.table.valid_count() > 0;
-        (material.name.as_str(), opened.brdf.params.s, measured)
+        (material.name.as_str(), opened.brdf.params.lobe[0], measured)
     });
     row.collect()
 }

@@ -3,6 +3,7 @@
 use egui::{Color32, Rect, pos2, vec2};
 use egui_kittest::Harness;
 use grazing::app::widgets::paint::paint;
+use grazing::brdf::params::lobe_values;
 use grazing::brdf::{Brdf, COMBINED, Fresnel, PHONG, Params};
 use grazing::figure::drawing::{Drawing, Item};
 use grazing::figure::heatmap::HeatMap;
@@ -65,8 +66,7 @@ fn drawings() -> Vec<(&'static str, Drawing)> {
         params: Params {
             rho_d: [0.3, 0.2, 0.1],
             k_s: [20.0; 3],
-            s: 30.0,
-            alpha: 0.5,
+            lobe: lobe_values([30.0, 0.5]),
             eta: 1.5,
         },
     };

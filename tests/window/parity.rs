@@ -4,8 +4,9 @@ use crate::common::gpu::{evaluate, gpu};
 use crate::common::random::Random;
 use glam::DVec3;
 use grazing::brdf::fresnel::FRESNELS;
+use grazing::brdf::params::Scale;
 use grazing::brdf::wgsl::{UNIFORM_SLOTS, uniform};
-use grazing::brdf::{Brdf, MODELS, ParamId, Params};
+use grazing::brdf::{Brdf, MODELS, Param};
 use grazing::geom::color::srgb_encode;
 use grazing::geom::{Cosines, HalfDiff, direction, mirror};
 use grazing::gpu::adapter::Gpu;
@@ -51,28 +52,29 @@ fn random_brdf(random: &mut Random, k: usize) -> Brdf {
     let model = MODELS[k % MODELS.len()];
     let color =
         |random: &mut Random, low: f64, high: f64| [0; 3].map(|_| random.log_between(low, high));
-    let mut params = Params {
-        rho_d: color(random, 0.01, 1.0),
-        k_s: color(random, 0.01, 1e3),
-        s: random.log_between(0.1, 1e5) * model.exponent_ratio,
-        alpha: random.unit(),
-        eta: 1.0 + random.log_between(1e-3, 2.0),
-    };
-    for id in [
-        ParamId::RhoD,
-        ParamId::KS,
-        ParamId::S,
-        ParamId::Alpha,
-        ParamId::Eta,
-    ] {
-        for value in params.get_mut(id) {
+    let mut brdf = Brdf::new(model, FRESNELS[(k / MODELS.len()) % FRESNELS.len()]);
+    brdf.params.rho_d = color(random, 0.01, 1.0);
+    brdf.params.k_s = color(random, 0.01, 1e3);
+    brdf.params.eta = 1.0 + random.log_between(1e-3, 2.0);
+    for (value, row) in brdf.params.lobe.iter_mut().zip(model.params) {
+        *value = random_value(random, row);
+    }
+    for row in model.rows() {
+        for value in brdf.get_mut(row.id) {
             *value = f64::from(*value as f32);
         }
     }
-    Brdf {
-        model,
-        fresnel: FRESNELS[(k / MODELS.len()) % FRESNELS.len()],
-        params,
+    brdf
+}
+
+/// A value in the range of a parameter's slider, its ends now and then.
+fn random_value(random: &mut Random, row: &Param) -> f64 {
+    let (low, high) = row.range;
+    match (random.unit(), row.scale) {
+        (at, _) if at < 0.05 => low,
+        (at, _) if at < 0.1 => high,
+        (_, Scale::Linear) => random.between(low, high),
+        (_, Scale::Log { .. }) => random.log_between(low, high),
     }
 }
 
@@ -139,7 +141,7 @@ fn planted_errors_in_the_models_are_caught() {
         ("-wi.x, -wi.y, wi.z", "-wi.y, -wi.x, wi.z"),
         ("return 0.5 * a * a", "return 0.501 * a * a"),
         ("(x2 * x2 * x)", "(x2 * x2)"),
-        ("pow_cosine(c.wh_n, p.s)", "pow_cosine(c.wh_n, p.s + 0.01)"),
+        ("pow_cosine(c.wh_n, s)", "pow_cosine(c.wh_n, s + 0.01)"),
     ] {
         assert!(
             library.contains(right),

@@ -15,7 +15,8 @@ use grazing::app::msg::fit::FitMsg;
 use grazing::app::state::notice::Severity;
 use grazing::app::state::views::ViewId;
 use grazing::app::{Picker, WindowOptions};
-use grazing::brdf::{Fresnel, Params};
+use grazing::brdf::COMBINED;
+use grazing::brdf::Fresnel;
 use grazing::files::fits::FitRecord;
 use grazing::fit::{Errors, Variant};
 use std::fs;
@@ -40,7 +41,7 @@ fn fit_of(gold: &Path) -> FitRecord {
         ..record(
             "gold",
             Some(only_named(gold)),
-            combined(21.0, Params::default().alpha),
+            combined(21.0, COMBINED.default_lobe()[1]),
             0.125,
         )
     }
@@ -280,7 +281,7 @@ fn a_changed_file_opens_and_is_noticed() {
     assert!(text.ends_with(&format!(": {}", gold.display())), "{text}");
     let (material, opened) = state.current().expect("it opens");
     assert!(material.table.valid_count() > 0);
-    assert!((opened.brdf.params.s - 17.0).abs() < 0.2);
+    assert!((opened.brdf.params.lobe[0] - 17.0).abs() < 0.2);
 }
 
 #[test]

@@ -4,7 +4,8 @@ use crate::common::gpu::{evaluate, gpu};
 use crate::common::random::Random;
 use glam::DVec3;
 use grazing::brdf::fresnel::FRESNELS;
-use grazing::brdf::{Brdf, MODELS, Params, codegen, params};
+use grazing::brdf::params::Scale;
+use grazing::brdf::{Brdf, MODELS, codegen};
 use grazing::geom::{direction, mirror};
 use grazing::gpu::adapter::Gpu;
 use naga::ShaderStage;
@@ -17,31 +18,31 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 /// Every model with every Fresnel factor, twice, with numbers from all over their ranges.
 fn brdfs() -> Vec<Brdf> {
     let mut random = Random(11);
-    let all = || MODELS.into_iter().flat_map(|m| FRESNELS.map(|f| (m, f)));
+    let all = || MODELS.iter().flat_map(|m| FRESNELS.map(|f| (*m, f)));
     let cases = all().chain(all());
     cases
         .map(|(model, fresnel)| {
             let color = |random: &mut Random, low: f64, high: f64| {
                 [0; 3].map(|_| random.log_between(low, high))
             };
-            let mut params = Params {
-                rho_d: color(&mut random, 0.01, 1.0),
-                k_s: color(&mut random, 0.01, 1e3),
-                s: random.log_between(0.1, 1e4) * model.exponent_ratio,
-                alpha: random.unit(),
-                eta: 1.0 + random.log_between(1e-3, 2.0),
-            };
+            let mut brdf = Brdf::new(model, fresnel);
+            brdf.params.rho_d = color(&mut random, 0.01, 1.0);
+            brdf.params.k_s = color(&mut random, 0.01, 1e3);
+            brdf.params.eta = 1.0 + random.log_between(1e-3, 2.0);
+            for (value, row) in brdf.params.lobe.iter_mut().zip(model.params) {
+                let (low, high) = row.range;
+                *value = match row.scale {
+                    Scale::Linear => random.between(low, high),
+                    Scale::Log { .. } => random.log_between(10.0 * low, 0.1 * high),
+                };
+            }
             // The shaders have f32: with an exponent of 40,000 that alone is 5e-5 of the value.
-            for row in params::ALL {
-                for value in params.get_mut(row.id) {
+            for row in model.rows() {
+                for value in brdf.get_mut(row.id) {
                     *value = f64::from(*value as f32);
                 }
             }
-            Brdf {
-                model,
-                fresnel,
-                params,
-            }
+            brdf
         })
         .collect()
 }
@@ -233,28 +234,31 @@ fn the_disney_file_has_the_ranges_and_the_numbers_and_its_shader_is_the_model() 
         .map(|brdf| (brdf, Disney::read(&codegen::disney(&brdf, Some("teflon")))))
         .collect();
     for (brdf, file) in &files {
-        for row in brdf.model.params.iter().filter(|row| brdf.uses(row.id)) {
-            let log = format!("log10_{}", row.key);
+        for row in brdf.used() {
+            let log = format!("log10_{}", row.key());
             let ([low, high, value], back): (_, fn(f64) -> f64) = match file.floats.get(&log) {
                 Some(slider) => (*slider, |x| 10_f64.powf(x)),
-                None => (file.floats[row.key], |x| x),
+                None => (file.floats[row.key()], |x| x),
             };
-            assert!((low..=high).contains(&value), "{}", row.key);
-            assert!((back(high) / row.range.1 - 1.0).abs() < 1e-9, "{}", row.key);
+            assert!((low..=high).contains(&value), "{}", row.key());
+            assert!(
+                (back(high) / row.range.1 - 1.0).abs() < 1e-9,
+                "{}",
+                row.key()
+            );
             assert!(back(low) >= row.range.0 * (1.0 - 1e-9) && back(low) <= row.range.0 + 1.1e-4);
-            let shade = file.colors.get(&format!("{}_color", row.key));
-            for (k, wanted) in brdf.params.get(row.id).iter().enumerate() {
+            let shade = file.colors.get(&format!("{}_color", row.key()));
+            for (k, wanted) in brdf.get(row.id).iter().enumerate() {
                 let found = back(value) * shade.map_or(1.0, |shade| shade[k]);
                 assert!(
                     (found / wanted - 1.0).abs() < 1e-12,
                     "{}: {found} {wanted}",
-                    row.key
+                    row.key()
                 );
             }
             assert!(shade.is_none_or(|shade| shade.iter().all(|x| (0.0..=1.0).contains(x))));
         }
-        let rows = brdf.model.params.iter().filter(|row| brdf.uses(row.id));
-        assert_eq!(file.floats.len(), rows.count(), "and no others");
+        assert_eq!(file.floats.len(), brdf.used().count(), "and no others");
     }
     let texts: Vec<(&Brdf, String)> = files
         .iter()
@@ -296,7 +300,7 @@ fn planted_errors_are_caught() {
         ("return 0.5 * a * a", "return 0.501 * a * a"),
         ("-wi.x, -wi.y, wi.z", "-wi.y, -wi.x, wi.z"),
         ("wo.z) < 0.0", "wo.z) < -1.0"),
-        ("(1.0 - p.alpha) * c.wr_wo.cos", "p.alpha * c.wr_wo.cos"),
+        ("+ alpha * versine_pow4", "+ 1.01 * alpha * versine_pow4"),
     ] {
         let planted = |text: &str| {
             assert!(text.contains(right), "{right} is not in the text any more");
@@ -307,6 +311,6 @@ fn planted_errors_are_caught() {
         assert!(first.min(second) > 2.0 * TOLERANCE, "{right} → {wrong}");
     }
     let mut other = brdf;
-    other.params.s *= 1.001;
+    other.params.lobe[0] *= 1.001;
     assert!(worst_distance(&gpu, &wgsl, &other) > 2.0 * TOLERANCE);
 }

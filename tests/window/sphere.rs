@@ -3,6 +3,7 @@
 use crate::common::gpu::gpu;
 use crate::common::random::Random;
 use grazing::brdf::fresnel::Fresnel;
+use grazing::brdf::params::lobe_values;
 use grazing::brdf::{Brdf, COMBINED, Params};
 use grazing::figure::sphere_image::{SphereSource, error_colors, render, sphere_image};
 use grazing::figure::subject::Source;
@@ -26,8 +27,7 @@ fn brdf() -> Brdf {
     let params = Params {
         rho_d: [0.5, 0.2, 0.1],
         k_s: [8.0; 3],
-        s: 30.0,
-        alpha: 0.4,
+        lobe: lobe_values([30.0, 0.4]),
         eta: 1.5,
     };
     Brdf {

@@ -74,7 +74,7 @@ impl FolderFit {
             weight,
             limit,
             options,
-        } = self.setup;
+        } = &self.setup;
         let mut told = Instant::now();
         let mut watch = |position: usize, progress: &FitProgress| {
             if told.elapsed() >= BETWEEN_UPDATES {
@@ -84,15 +84,15 @@ impl FolderFit {
             }
             self.go_on()
         };
-        let problem = Problem::new(&table, weight, limit)
+        let problem = Problem::new(&table, *weight, *limit)
             .map_err(|error| FileError::new(file, error.to_string()).to_string())?;
         // The problem is all that the fit needs.
         drop(table);
-        let outcomes = fit::fit_all(&problem, &self.variants, &options, &mut watch);
+        let outcomes = fit::fit_all(&problem, &self.variants, options, &mut watch);
         let name = files::material_name(file);
         let record = |outcome| {
-            let asked = (weight, limit.to_degrees());
-            FitRecord::new(name.clone(), Some(source.clone()), asked, &options, outcome)
+            let asked = (*weight, limit.to_degrees());
+            FitRecord::new(name.clone(), Some(source.clone()), asked, options, outcome)
         };
         Ok(outcomes.iter().map(record).collect())
     }

@@ -23,9 +23,9 @@ pub const LESSONS: [Lesson; 4] = [
                     Set::Sample("copper-glaze"),
                     Set::Model("phong"),
                     Set::Fresnel(Fresnel::None),
-                    Set::Param(ParamId::RhoD, 0.1),
-                    Set::Param(ParamId::KS, 1.0),
-                    Set::Param(ParamId::S, 30.0),
+                    Set::Param(ParamId::RHO_D, 0.1),
+                    Set::Param(ParamId::K_S, 1.0),
+                    Set::Param(ParamId("s"), 30.0),
                     Set::Sphere(Show::Model),
                     Set::Scale(RadialScale::Linear),
                     Set::Angles(&[30.0], 0),
@@ -37,7 +37,7 @@ pub const LESSONS: [Lesson; 4] = [
                 text: "Blinn-Phong takes the half vector ω_{h} between ω_{i} and ω_{o} and asks how far it is from the \
                        normal: (ω_{h}·n)^{s}. Near the mirror direction ω_{h} turns half as far as ω_{o}, so s has to be \
                        four times as large for the same highlight.",
-                set: &[Set::Model("blinn-phong"), Set::Param(ParamId::S, 120.0)],
+                set: &[Set::Model("blinn-phong"), Set::Param(ParamId("s"), 120.0)],
                 look_at: LookAt::Model,
             },
             LessonStep {
@@ -45,7 +45,7 @@ pub const LESSONS: [Lesson; 4] = [
                        the light comes in. Switch to Blinn-Phong and back: there it is circular.",
                 set: &[
                     Set::Model("phong"),
-                    Set::Param(ParamId::S, 30.0),
+                    Set::Param(ParamId("s"), 30.0),
                     Set::Lights(1),
                     Set::Tile(ViewId::Sphere),
                 ],
@@ -98,10 +98,10 @@ pub const LESSONS: [Lesson; 4] = [
                     Set::Sample("copper-glaze"),
                     Set::Model("combined"),
                     Set::Fresnel(Fresnel::None),
-                    Set::Param(ParamId::RhoD, 0.1),
-                    Set::Param(ParamId::KS, 1.0),
-                    Set::Param(ParamId::S, 30.0),
-                    Set::Param(ParamId::Alpha, 0.0),
+                    Set::Param(ParamId::RHO_D, 0.1),
+                    Set::Param(ParamId::K_S, 1.0),
+                    Set::Param(ParamId("s"), 30.0),
+                    Set::Param(ParamId("alpha"), 0.0),
                     Set::Sphere(Show::Model),
                     Set::Scale(RadialScale::Linear),
                     Set::Angles(&[5.0, 60.0, 80.0], 0),
@@ -113,26 +113,26 @@ pub const LESSONS: [Lesson; 4] = [
                 text: "At α = 1 it is Blinn-Phong with exponent 4s. Look at the lobe of 5°: it is as it was. For a small \
                        angle x, cos^{4}(x/2) and cos x are the same up to x^{4}. So α does not touch the highlight seen from \
                        above, and s keeps its meaning.",
-                set: &[Set::Param(ParamId::Alpha, 1.0)],
+                set: &[Set::Param(ParamId("alpha"), 1.0)],
                 look_at: LookAt::Tile(ViewId::Lobes),
             },
             LessonStep {
                 text: "Drag α. What changes are the lobes at 60° and 80°: α says how a material behaves at grazing \
                        angles, and nothing else.",
                 set: &[
-                    Set::Param(ParamId::Alpha, 0.5),
+                    Set::Param(ParamId("alpha"), 0.5),
                     Set::Angles(&[5.0, 60.0, 80.0], 2),
                 ],
-                look_at: LookAt::Param(ParamId::Alpha),
+                look_at: LookAt::Param(ParamId("alpha")),
             },
             LessonStep {
                 text: "This material was made to lie between the two. The solid line is the data. Drag α until the dashed \
                        line follows it at 80°; then let the fit find it.",
                 set: &[
                     Set::Fresnel(Fresnel::Exact),
-                    Set::Param(ParamId::KS, 6.0),
-                    Set::Param(ParamId::S, 12.0),
-                    Set::Param(ParamId::Eta, 1.5),
+                    Set::Param(ParamId::K_S, 6.0),
+                    Set::Param(ParamId("s"), 12.0),
+                    Set::Param(ParamId::ETA, 1.5),
                     Set::Scale(RadialScale::CubeRoot),
                     Set::Sphere(Show::Split),
                 ],
@@ -151,9 +151,9 @@ pub const LESSONS: [Lesson; 4] = [
                     Set::Sample("green-lacquer"),
                     Set::Model("phong"),
                     Set::Fresnel(Fresnel::None),
-                    Set::Param(ParamId::KS, 1.0),
-                    Set::Param(ParamId::S, 60.0),
-                    Set::Param(ParamId::Eta, 1.5),
+                    Set::Param(ParamId::K_S, 1.0),
+                    Set::Param(ParamId("s"), 60.0),
+                    Set::Param(ParamId::ETA, 1.5),
                     Set::Scale(RadialScale::CubeRoot),
                     Set::Angles(&[30.0, 60.0, 80.0], 2),
                     Set::Tile(ViewId::Lobes),
@@ -164,14 +164,14 @@ pub const LESSONS: [Lesson; 4] = [
                 text: "The Fresnel equations give that factor for a smooth dielectric of refractive index η: R_{F} is \
                        about 4 % from above at η = 1.5 and 1 at the horizon. k_{s} was raised by 1/R_{F}(0), so the lobe seen \
                        from above is what it was.",
-                set: &[Set::Fresnel(Fresnel::Exact), Set::Param(ParamId::KS, 25.0)],
+                set: &[Set::Fresnel(Fresnel::Exact), Set::Param(ParamId::K_S, 25.0)],
                 look_at: LookAt::Model,
             },
             LessonStep {
                 text: "Drag η. Towards 1 the factor at 0° vanishes and only the product k_{s}·R_{F}(0) means anything; it \
                        stands below the sliders. The larger η, the less the lobes grow.",
-                set: &[Set::Param(ParamId::Eta, 1.2)],
-                look_at: LookAt::Param(ParamId::Eta),
+                set: &[Set::Param(ParamId::ETA, 1.2)],
+                look_at: LookAt::Param(ParamId::ETA),
             },
             LessonStep {
                 text: "Schlick's approximation is a fifth power with the same value at 0°. Switch between Exact and \
@@ -193,11 +193,11 @@ pub const LESSONS: [Lesson; 4] = [
                     Set::Sample("blue-porcelain"),
                     Set::Model("combined"),
                     Set::Fresnel(Fresnel::Exact),
-                    Set::Param(ParamId::RhoD, 0.3),
-                    Set::Param(ParamId::KS, 5.0),
-                    Set::Param(ParamId::S, 5.0),
-                    Set::Param(ParamId::Alpha, 0.1),
-                    Set::Param(ParamId::Eta, 1.5),
+                    Set::Param(ParamId::RHO_D, 0.3),
+                    Set::Param(ParamId::K_S, 5.0),
+                    Set::Param(ParamId("s"), 5.0),
+                    Set::Param(ParamId("alpha"), 0.1),
+                    Set::Param(ParamId::ETA, 1.5),
                     Set::Sphere(Show::Split),
                     Set::Scale(RadialScale::CubeRoot),
                     Set::Angles(&[30.0, 60.0, 80.0], 1),

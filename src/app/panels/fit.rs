@@ -6,14 +6,14 @@ use crate::app::msg::fit::FitMsg;
 use crate::app::panels::{fit_result, fit_stages};
 use crate::app::state::State;
 use crate::app::state::fitting::kept::short_variant_name;
-use crate::app::state::fitting::settings::FitSettings;
+use crate::app::state::fitting::settings::{FitSettings, widest_bounds};
 use crate::app::widgets::controls::{plain_number, tick_ui};
 use crate::app::widgets::paint::rich_text_job;
-use crate::brdf::params::ALL;
-use crate::brdf::{Brdf, Param};
+use crate::brdf::{Brdf, Param, ParamId};
 use crate::figure::text::RichText;
-use crate::fit::options::default_bounds;
+use crate::fit::options::Bounds;
 use crate::fit::{Variant, WEIGHTS};
+use std::collections::BTreeMap;
 
 /// Least and greatest grazing limit that is offered, in degrees.
 const LIMIT_DEG: std::ops::RangeInclusive<f64> = 20.0..=90.0;
@@ -124,14 +124,13 @@ fn free_ui(ui: &mut egui::Ui, settings: &mut FitSettings, brdf: &Brdf) -> bool {
         ui.label("Free")
             .on_hover_text("What the fit may move. The rest keeps the value of its slider.");
         ui.spacing_mut().item_spacing.x = 10.0;
-        for row in &ALL {
-            let held = &mut settings.held[row.id];
+        for row in brdf.model.rows() {
+            let mut free = !settings.held.contains(&row.id);
             ui.add_enabled_ui(brdf.uses(row.id), |ui| {
-                let mut free = !*held;
-                let tick = tick_ui(ui, &mut free, row.symbol, &format!("{} free", row.key))
+                let tick = tick_ui(ui, &mut free, row.symbol, &format!("{} free", row.key()))
                     .on_hover_text(format!("Let the fit find the {}", row.name));
                 if tick.changed() {
-                    *held = !free;
+                    settings.hold(row.id, !free);
                 }
             });
         }
@@ -158,24 +157,20 @@ fn more_ui(ui: &mut egui::Ui, settings: &mut FitSettings, brdf: &Brdf) {
                 ui.weak("least");
                 ui.weak("most");
                 ui.end_row();
-                for row in &ALL {
-                    if !row.id.is_color() {
-                        // The model's own row where it has one: ranges differ.
-                        let row = brdf.model.param(row.id).unwrap_or(row);
-                        bounds_ui(ui, row, &mut settings.bounds[row.id]);
-                        ui.end_row();
-                    }
+                for row in brdf.model.rows().filter(|row| !row.id.is_color()) {
+                    bounds_ui(ui, row, &mut settings.bounds);
+                    ui.end_row();
                 }
             });
     });
 }
 
-fn bounds_ui(ui: &mut egui::Ui, row: &Param, bounds: &mut Option<(f64, f64)>) {
+fn bounds_ui(ui: &mut egui::Ui, row: &Param, all: &mut BTreeMap<ParamId, Bounds>) {
     let color = ui.visuals().text_color();
     ui.label(rich_text_job(&RichText::parse(row.symbol), 13.5, color));
-    let (mut low, mut high) = bounds.unwrap_or_else(|| default_bounds(row));
-    let (least, most) = (default_bounds(row).0.min(row.range.0), row.domain.1);
-    let least = least.max(row.domain.0);
+    let bounds = all.get(&row.id).copied();
+    let (mut low, mut high) = bounds.unwrap_or(row.bounds);
+    let (least, most) = widest_bounds(row);
     let mut changed = false;
     let (lowest, highest) = (low, high);
     let ends = [
@@ -190,22 +185,22 @@ fn bounds_ui(ui: &mut egui::Ui, row: &Param, bounds: &mut Option<(f64, f64)>) {
             .custom_formatter(|value, _| plain_number(value));
         let response = ui.add(drag);
         response.widget_info(|| {
-            egui::WidgetInfo::labeled(egui::Role::SpinButton, true, format!("{} {end}", row.key))
+            egui::WidgetInfo::labeled(egui::Role::SpinButton, true, format!("{} {end}", row.key()))
         });
         changed |= response.changed();
     }
     if changed {
-        *bounds = Some((low, high));
+        all.insert(row.id, (low, high));
     }
     let reset = ui.add_enabled(bounds.is_some(), egui::Button::new("Reset").small());
     reset.widget_info(|| {
         egui::WidgetInfo::labeled(
             egui::Role::Button,
             true,
-            format!("Reset bounds of {}", row.key),
+            format!("Reset bounds of {}", row.key()),
         )
     });
     if reset.on_hover_text("Back to the default bounds").clicked() {
-        *bounds = None;
+        all.remove(&row.id);
     }
 }

@@ -9,7 +9,6 @@ use crate::app::widgets::formula::{hundredths, number};
 use crate::app::widgets::paint::rich_text_job;
 use crate::app::widgets::{fit_details, paint};
 use crate::brdf::Brdf;
-use crate::brdf::params::ALL;
 use crate::figure::text::RichText;
 use crate::fit::{STAGES, Stage};
 use egui::{Align, Layout, vec2};
@@ -61,13 +60,15 @@ pub fn stages_ui(ui: &mut egui::Ui, state: &State, settings: &mut FitSettings) {
                 .on_hover_text(fit_details::meaning(settings.weight));
         });
     });
+    let model = state.current().map(|(_, opened)| opened.brdf.model);
     for stage in STAGES {
         let on = &mut settings.stages[stage];
         let row = stage_row(state, stage);
         let response = ui
             .horizontal(|ui| {
                 ui.set_width(width);
-                let markup = format!("{}  {}", stage.number(), stage.symbols());
+                let symbols = model.map(|model| stage.symbols(model)).unwrap_or_default();
+                let markup = format!("{}  {symbols}", stage.number());
                 let name = format!("stage {}", stage.number());
                 tick_ui(ui, on, &markup, &name);
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -88,9 +89,9 @@ pub fn stages_ui(ui: &mut egui::Ui, state: &State, settings: &mut FitSettings) {
 
 fn stage_help(stage: Stage) -> &'static str {
     match stage {
-        Stage::Amplitudes => "The best ρd and ks for fixed s, α and η",
-        Stage::Shape => "s, α and η for fixed ρd and ks",
-        Stage::ShapeAndSpecular => "s, α, η and ks for fixed ρd",
+        Stage::Amplitudes => "The best ρd and ks for a lobe that stays",
+        Stage::Shape => "The lobe and η for fixed ρd and ks",
+        Stage::ShapeAndSpecular => "The lobe, η and ks for fixed ρd",
         Stage::Joint => "All parameters together, from several starts",
     }
 }
@@ -141,9 +142,8 @@ fn params_ui(ui: &mut egui::Ui, brdf: &Brdf) {
         .spacing([12.0, 3.0])
         .show(ui, |ui| {
             let color = ui.visuals().text_color();
-            for row in ALL.iter().filter(|row| brdf.uses(row.id)) {
-                let values: Vec<String> =
-                    brdf.params.get(row.id).iter().map(|x| number(*x)).collect();
+            for row in brdf.used() {
+                let values: Vec<String> = brdf.get(row.id).iter().map(|x| number(*x)).collect();
                 ui.label(rich_text_job(&RichText::parse(row.symbol), 12.5, color));
                 let text = values.join("   ");
                 ui.label(rich_text_job(&RichText::parse(&text), 12.5, color));

@@ -8,7 +8,7 @@ use crate::app::state::State;
 use crate::app::state::material::Opened;
 use crate::app::widgets::controls::plain_number;
 use crate::app::widgets::paint::rich_text_job;
-use crate::brdf::params::{ALL, Scale};
+use crate::brdf::params::Scale;
 use crate::brdf::{Param, ParamId};
 use crate::figure::text::RichText;
 use crate::geom::Rgb;
@@ -26,13 +26,11 @@ const NUMBER_BOX: f32 = 74.0;
 /// Draws the rows of the colours, or of the parameters that all channels share.
 pub fn params_ui(ui: &mut Ui, state: &State, opened: &Opened, colors: bool, out: &mut Vec<Msg>) {
     let brdf = &opened.brdf;
-    for row in ALL.iter().filter(|row| row.id.is_color() == colors) {
-        // The model's own row where it has one: ranges differ. The rest is shown greyed.
-        let row = brdf.model.param(row.id).unwrap_or(row);
+    for row in brdf.model.rows().filter(|row| row.id.is_color() == colors) {
         let follows = state.fit.keep_optimal && colors;
         let top = ui.cursor().min;
         ui.add_enabled_ui(brdf.uses(row.id) && !follows, |ui| {
-            match *brdf.params.get(row.id) {
+            match *brdf.get(row.id) {
                 [r, g, b] => color_ui(ui, row, opened, [r, g, b], out),
                 [value, ..] => number_ui(ui, row, value, out),
                 [] => {}
@@ -45,7 +43,7 @@ pub fn params_ui(ui: &mut Ui, state: &State, opened: &Opened, colors: bool, out:
 fn number_ui(ui: &mut Ui, row: &Param, value: f64, out: &mut Vec<Msg>) {
     ui.horizontal(|ui| {
         let name = cell_ui(ui, |ui| name_ui(ui, row, out));
-        if let Some(value) = slider_ui(ui, row, row.key, &name, value) {
+        if let Some(value) = slider_ui(ui, row, row.key(), &name, value) {
             out.push(Msg::SetParam {
                 id: row.id,
                 channel: None,
@@ -56,7 +54,7 @@ fn number_ui(ui: &mut Ui, row: &Param, value: f64, out: &mut Vec<Msg>) {
 }
 
 fn color_ui(ui: &mut Ui, row: &Param, opened: &Opened, rgb: Rgb, out: &mut Vec<Msg>) {
-    let id = Id::unique(("channels", row.key));
+    let id = Id::unique(("channels", row.key()));
     let mut open = ui.data(|data| data.get_temp(id)).unwrap_or(false);
     ui.horizontal(|ui| {
         let name = cell_ui(ui, |ui| {
@@ -70,7 +68,7 @@ fn color_ui(ui: &mut Ui, row: &Param, opened: &Opened, rgb: Rgb, out: &mut Vec<M
             name
         });
         let hue = hue(ui, (opened, row.id), rgb);
-        if let Some(value) = slider_ui(ui, row, row.key, &name, largest(rgb)) {
+        if let Some(value) = slider_ui(ui, row, row.key(), &name, largest(rgb)) {
             out.push(Msg::SetColor {
                 id: row.id,
                 rgb: hue.map(|share| share * value),
@@ -89,7 +87,7 @@ fn color_ui(ui: &mut Ui, row: &Param, opened: &Opened, rgb: Rgb, out: &mut Vec<M
                 })
                 .inner
             });
-            let label = format!("{} {letter}", row.key);
+            let label = format!("{} {letter}", row.key());
             if let Some(value) = slider_ui(ui, row, &label, &name, value) {
                 out.push(Msg::SetParam {
                     id: row.id,
@@ -103,7 +101,7 @@ fn color_ui(ui: &mut Ui, row: &Param, opened: &Opened, rgb: Rgb, out: &mut Vec<M
         ui.add_space(NAME + ui.spacing().item_spacing.x);
         let grey = ui.small_button("Make grey");
         grey.widget_info(|| {
-            WidgetInfo::labeled(egui::Role::Button, true, format!("{} grey", row.key))
+            WidgetInfo::labeled(egui::Role::Button, true, format!("{} grey", row.key()))
         });
         if grey
             .on_hover_text("Give red, green and blue one value, of the same luminance")
@@ -196,7 +194,7 @@ fn swatch_ui(ui: &mut Ui, row: &Param, rgb: Rgb, open: bool) -> Response {
     let size = vec2(24.0, ui.spacing().interact_size.y);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     response.widget_info(|| {
-        let label = format!("{} channels", row.key);
+        let label = format!("{} channels", row.key());
         WidgetInfo::selected(egui::Role::Button, ui.is_enabled(), open, label)
     });
     let look = ui.style().interact(&response);

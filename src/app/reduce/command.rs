@@ -71,9 +71,7 @@ pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
         }
         Command::ResetParams => {
             edit_brdf(state, |brdf| {
-                for row in brdf.model.params {
-                    brdf.params.get_mut(row.id).fill(row.default);
-                }
+                brdf.params = brdf.model.default_params();
             });
             return fit::refit(state);
         }

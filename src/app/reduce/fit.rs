@@ -152,7 +152,7 @@ fn run_of(
         material: opened.id,
         table: material.table.clone(),
         variants,
-        setup: run.setup,
+        setup: run.setup.clone(),
         cancel: run.cancel.clone(),
     });
     (run, task)
@@ -284,7 +284,7 @@ fn end(state: &mut State, run: FitRun, outcomes: Vec<Timed>) {
         if said_something(&part) {
             let fit = KeptFit {
                 outcome: timed.outcome,
-                setup,
+                setup: setup.clone(),
                 seconds: Some(timed.seconds),
                 trace: part.updates,
                 on_opening: on_opening.is_some(),
@@ -339,7 +339,7 @@ fn set_model(state: &mut State, material: MaterialId, brdf: Brdf) {
 
 /// Whether a material still has the shape that the best ρ_d and k_s were found for.
 fn is_still(state: &State, material: MaterialId, found: &Result<Brdf, ProblemError>) -> bool {
-    let shape = |brdf: &Brdf| (brdf.params.s, brdf.params.alpha, brdf.params.eta);
+    let shape = |brdf: &Brdf| (brdf.model, brdf.params.lobe, brdf.params.eta);
     let same = |best: &Brdf| {
         let mut opened = state.scene.opened.iter();
         opened.any(|opened| opened.id == material && shape(&opened.brdf) == shape(best))

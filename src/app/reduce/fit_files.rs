@@ -196,7 +196,7 @@ mod tests {
     }
 
     fn with_s(mut brdf: Brdf, s: f64) -> Brdf {
-        brdf.params.s = s;
+        brdf.params.lobe[0] = s;
         brdf
     }
 
@@ -307,7 +307,7 @@ mod tests {
         assert!(state.fit.run.as_ref().is_some_and(|run| !run.stopping));
         done(&mut state, job, at_end, EndReason::Converged);
         assert_eq!(state.scene.opened[1].brdf, at_end);
-        assert_eq!(state.scene.opened[0].brdf.params.s, 8.0);
+        assert_eq!(state.scene.opened[0].brdf.params.lobe[0], 8.0);
     }
 
     #[test]

@@ -26,7 +26,7 @@ use crate::app::state::material::Origin;
 use crate::app::state::notice::{Dialog, Severity};
 use crate::app::state::subjects::Subjects;
 use crate::app::state::{Scene, State, subjects};
-use crate::brdf::{Brdf, ParamId, Params};
+use crate::brdf::{Brdf, ParamId};
 use crate::files::session::has_ending;
 use crate::geom::color::luminance;
 
@@ -80,7 +80,7 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
         Msg::ResetParam(id) => {
             edit_brdf(state, |brdf| {
                 if let Some(row) = brdf.model.param(id) {
-                    brdf.params.get_mut(id).fill(row.default);
+                    brdf.get_mut(id).fill(row.default);
                 }
             });
             return fit::refit(state);
@@ -88,7 +88,7 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
         Msg::SetColor { id, rgb } => {
             edit_brdf(state, |brdf| {
                 if let Some(row) = brdf.model.param(id) {
-                    let values = brdf.params.get_mut(id);
+                    let values = brdf.get_mut(id);
                     for (value, to) in values.iter_mut().zip(rgb) {
                         *value = row.clamp(to);
                     }
@@ -96,7 +96,7 @@ fn change(state: &mut State, msg: Msg) -> Vec<Task> {
             });
             return fit::refit(state);
         }
-        Msg::MakeGrey(id) => edit_brdf(state, |brdf| make_grey(&mut brdf.params, id)),
+        Msg::MakeGrey(id) => edit_brdf(state, |brdf| make_grey(brdf, id)),
         Msg::Cache(msg) => {
             return msg
                 .apply(&mut state.caches)
@@ -161,7 +161,7 @@ pub(crate) fn set_param(
             return;
         };
         let value = row.clamp(value);
-        let values = brdf.params.get_mut(id);
+        let values = brdf.get_mut(id);
         match channel {
             Some(channel) => values[channel] = value,
             None => values.fill(value),
@@ -170,8 +170,8 @@ pub(crate) fn set_param(
     fit::refit(state)
 }
 
-fn make_grey(params: &mut Params, id: ParamId) {
-    let values = params.get_mut(id);
+fn make_grey(brdf: &mut Brdf, id: ParamId) {
+    let values = brdf.get_mut(id);
     if let [r, g, b] = *values {
         values.fill(luminance([r, g, b]));
     }

@@ -15,7 +15,7 @@ use crate::app::state::session::{Crashed, DAMAGED, Missing};
 use crate::app::state::session_mark::SessionMark;
 use crate::app::state::subject_key::{SubjectKey, What};
 use crate::app::state::{Scene, State};
-use crate::brdf::{Fresnel, Model, PerParam};
+use crate::brdf::{Fresnel, Model, ParamId};
 use crate::files;
 use crate::fit::{STAGES, Variant};
 use crate::measured::Table;
@@ -188,8 +188,16 @@ fn settings(saved: &SavedFitting) -> FitSettings {
         weight: saved.weight,
         limit: saved.limit,
         stages: stages.collect(),
-        held: PerParam::from_rows(|row| saved.held.iter().any(|key| key == row.key)),
-        bounds: PerParam::from_rows(|row| saved.bounds.get(row.key).copied()),
+        held: saved
+            .held
+            .iter()
+            .filter_map(|key| ParamId::by_key(key))
+            .collect(),
+        bounds: saved
+            .bounds
+            .iter()
+            .filter_map(|(key, bounds)| Some((ParamId::by_key(key)?, *bounds)))
+            .collect(),
         from_sliders: saved.from_sliders,
     }
 }

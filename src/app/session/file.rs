@@ -4,7 +4,8 @@ use crate::app::state::fitting::kept::SortBy;
 use crate::app::state::layout::Tiles;
 use crate::app::state::settings_map::SettingsMap;
 use crate::brdf;
-use crate::brdf::{Brdf, params};
+use crate::brdf::params::ETA;
+use crate::brdf::{Brdf, Model, ParamId};
 use crate::files::fits;
 use crate::files::fits::FitRecord;
 use crate::files::path_text;
@@ -77,32 +78,32 @@ pub struct SavedMaterial {
     pub fits: Vec<SavedFit>,
 }
 
-/// A model with all its numbers, those too that it does not use.
+/// A model with all its numbers, η too where no Fresnel factor uses it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SavedBrdf(pub Brdf);
 
 impl Serialize for SavedBrdf {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut value = brdf::json::to_value(&self.0);
-        for row in &params::ALL {
-            value[row.key] = match self.0.params.get(row.id) {
-                [one] => json!(one),
-                many => json!(many),
-            };
-        }
+        value[ParamId::ETA.key()] = json!(self.0.params.eta);
         value.serialize(serializer)
     }
 }
 
 impl<'de> Deserialize<'de> for SavedBrdf {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let value = json::bounded(deserializer, json::MOST_OF_MODEL)?;
+        let mut value = json::bounded(deserializer, json::MOST_OF_MODEL)?;
+        // Sessions once kept the numbers of parameters that the model does not have.
+        let model = value.get("model").and_then(Value::as_str);
+        if let Some(model) = model.and_then(Model::by_key)
+            && let Some(object) = value.as_object_mut()
+        {
+            object.retain(|key, _| ParamId::by_key(key).is_none_or(|id| model.param(id).is_some()));
+        }
         let mut brdf = brdf::json::from_value(&value).map_err(D::Error::custom)?;
-        for row in &params::ALL {
-            let found = value.get(row.key).and_then(Value::as_f64);
-            if let Some(found) = found.filter(|x| !brdf.uses(row.id) && row.accepts(*x)) {
-                brdf.params.get_mut(row.id).fill(found);
-            }
+        let eta = value.get(ParamId::ETA.key()).and_then(Value::as_f64);
+        if let Some(eta) = eta.filter(|eta| ETA.accepts(*eta)) {
+            brdf.params.eta = eta;
         }
         Ok(Self(brdf))
     }

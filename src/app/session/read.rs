@@ -7,7 +7,7 @@ use crate::app::state::Scene;
 use crate::app::state::layout::Tiles;
 use crate::app::state::settings_map::SettingsMap;
 use crate::app::state::views::VIEWS;
-use crate::brdf::{Brdf, Fresnel, MODELS, Params};
+use crate::brdf::{Brdf, Fresnel, MODELS};
 use crate::files::path_text::PathText;
 use crate::files::session::KEY;
 use crate::json;
@@ -99,11 +99,7 @@ impl Reader {
 
     fn material(&mut self, value: &Value, index: usize) -> SavedMaterial {
         let at = format!("materials.{index}");
-        let unset = SavedBrdf(Brdf {
-            model: MODELS[0],
-            fresnel: Fresnel::None,
-            params: Params::default(),
-        });
+        let unset = SavedBrdf(Brdf::new(MODELS[0], Fresnel::None));
         let guess = self.part(value, &at, "guess", None);
         let model = self.part(value, &at, "model", None);
         let fits_at = join(&at, "fits");

@@ -2,9 +2,9 @@
 //! position inside its list, unit vectors of length 1. What is possible stays to the last bit.
 
 use crate::app::session::file::{SavedFitting, SavedMaterial, SavedProbe, SavedWhat, SessionFile};
+use crate::app::state::fitting::settings::widest_bounds;
 use crate::brdf::params::Param;
-use crate::brdf::{Fresnel, Model, params};
-use crate::fit::options::default_bounds;
+use crate::brdf::{Fresnel, MODELS, Model, params};
 use crate::fit::{STAGES, Stage};
 use crate::geom::directions::unit;
 use crate::measured::samples::SAMPLES;
@@ -64,13 +64,15 @@ fn fitting(fit: &mut SavedFitting) {
     fit.limit = fit.limit.clamp(LEAST_LIMIT, FRAC_PI_2);
     let stages: Vec<usize> = STAGES.map(Stage::number).into();
     fit.stages = keep(stages, &fit.stages);
-    let keys: Vec<String> = params::ALL.iter().map(|row| row.key.into()).collect();
+    let keys: Vec<String> = params::all().map(|row| row.key().into()).collect();
     fit.held = keep(keys, &fit.held);
     fit.bounds = std::mem::take(&mut fit.bounds)
         .into_iter()
         .filter(|(key, ends)| {
-            let row = params::ALL.iter().find(|row| row.key == key);
-            row.is_some_and(|row| are_bounds(row, *ends))
+            // Ranges differ between models: what one of them takes is kept.
+            let rows = MODELS.iter().flat_map(|model| model.rows());
+            let mut rows = rows.filter(|row| row.key() == key);
+            rows.any(|row| are_bounds(row, *ends))
         })
         .collect::<BTreeMap<_, _>>();
 }
@@ -81,8 +83,8 @@ fn keep<T: PartialEq>(all: Vec<T>, wanted: &[T]) -> Vec<T> {
 }
 
 fn are_bounds(row: &Param, (low, high): (f64, f64)) -> bool {
-    let least = default_bounds(row).0.min(row.range.0).max(row.domain.0);
-    least <= low && low <= high && high <= row.domain.1
+    let (least, most) = widest_bounds(row);
+    least <= low && low <= high && high <= most
 }
 
 fn probe(probe: SavedProbe) -> Option<SavedProbe> {

@@ -21,6 +21,9 @@ use crate::app::views::lobes::settings::LobeSettings;
 use crate::app::views::scatter::settings::ScatterSettings;
 use crate::app::views::slices::settings::SliceSettings;
 use crate::app::views::sphere::settings::{Show, SphereSettings};
+use crate::brdf::COMBINED;
+use crate::brdf::ParamId;
+use crate::brdf::params::lobe_values;
 use crate::brdf::{Brdf, Fresnel, MODELS, Params};
 use crate::figure::error_map::Plane;
 use crate::figure::lobes::LobeScale;
@@ -46,8 +49,7 @@ fn brdf(model: usize, fresnel: Fresnel, s: f64) -> Brdf {
     let params = Params {
         rho_d: [0.1 + 0.2, 0.25, 1.0 / 3.0],
         k_s: [1e-3, 12.5, 7e5],
-        s,
-        alpha: 0.3,
+        lobe: lobe_values([s, 0.3]),
         eta: 1.33,
     };
     let model = MODELS[model];
@@ -68,10 +70,13 @@ fn kept(brdf: Brdf, error: f64) -> KeptFit {
         evaluations: 17,
     };
     let mut options = FitOptions::default();
-    options.held.s = Some(brdf.params.s);
-    options.bounds.rho_d = Some((0.0, 0.5));
+    options
+        .held
+        .shared
+        .insert(ParamId("s"), brdf.params.lobe[0]);
+    options.bounds.insert(ParamId::RHO_D, (0.0, 0.5));
     let mut setup = crate::app::state::fitting::settings::FitSettings::default().setup(&brdf);
-    setup.options = options;
+    setup.options = options.clone();
     setup.limit = 77f64.to_radians();
     let albedo = [[0.5; 3], [0.6; 3], [1.1, 0.2, 0.3]];
     KeptFit {
@@ -109,7 +114,7 @@ fn add(state: &mut State, name: &str, origin: Origin, source: Option<SourceFile>
         presence: Presence::Loaded,
         last_shown: 0,
         guess: Brdf {
-            params: Params::default(),
+            params: COMBINED.default_params(),
             ..brdf
         },
         fits: Vec::new(),
@@ -205,8 +210,8 @@ fn rich() -> State {
     state.fit.settings.weight = Weight::Cells;
     state.fit.settings.limit = 80f64.to_radians();
     state.fit.settings.stages = StageSet::from_iter([Stage::Amplitudes, Stage::ShapeAndSpecular]);
-    state.fit.settings.held.alpha = true;
-    state.fit.settings.bounds.s = Some((1.0, 500.0));
+    state.fit.settings.held.insert(ParamId("alpha"));
+    state.fit.settings.bounds.insert(ParamId("s"), (1.0, 500.0));
     state.fit.keep_optimal = true;
     state.fit.sort = SortBy::Grazing;
     state.pinned = Some(Probe::in_plane(0.7, -0.2));
@@ -297,7 +302,15 @@ const CHANGES: [fn(&mut State); 25] = [
             .errors
             .total = 0.4;
     },
-    |s| s.materials.values_mut().last().expect("one").guess.params.s = 7.0,
+    |s| {
+        s.materials
+            .values_mut()
+            .last()
+            .expect("one")
+            .guess
+            .params
+            .lobe[0] = 7.0;
+    },
 ];
 
 #[test]

@@ -8,7 +8,7 @@ use crate::app::state::State;
 use crate::app::state::fitting::FitState;
 use crate::app::state::material::{MaterialId, Opened, Origin, Presence};
 use crate::app::state::subject_key::{SubjectKey, What};
-use crate::brdf::params::ALL;
+use crate::brdf::params;
 use crate::files::session::SavedSource;
 use crate::fit::Stage;
 use crate::measured::samples::SAMPLES;
@@ -104,14 +104,14 @@ fn fitting(fit: &FitState) -> SavedFitting {
         weight: settings.weight,
         limit: settings.limit,
         stages: settings.stages.iter().map(Stage::number).collect(),
-        held: ALL
-            .iter()
-            .filter(|row| settings.held[row.id])
-            .map(|row| row.key.into())
+        held: params::all()
+            .filter(|row| settings.held.contains(&row.id))
+            .map(|row| row.key().into())
             .collect(),
-        bounds: ALL
+        bounds: settings
+            .bounds
             .iter()
-            .filter_map(|row| Some((row.key.into(), settings.bounds[row.id]?)))
+            .map(|(id, bounds)| (id.key().into(), *bounds))
             .collect(),
         from_sliders: settings.from_sliders,
         keep_optimal: fit.keep_optimal,

@@ -1,7 +1,7 @@
 //! Queries about fitting the folder.
 
 use crate::app::state::State;
-use crate::brdf::{Brdf, Fresnel, MODELS, Params};
+use crate::brdf::{Brdf, COMBINED, Fresnel};
 use std::path::PathBuf;
 
 /// Why the folder cannot be fitted now, in words.
@@ -20,14 +20,11 @@ pub fn blocked(state: &State) -> Option<&'static str> {
 
 /// The model that is fitted.
 pub(crate) fn model(state: &State) -> Brdf {
-    state.current().map_or(
-        Brdf {
-            model: MODELS[2],
-            fresnel: Fresnel::Exact,
-            params: Params::default(),
-        },
-        |(_, opened)| opened.brdf,
-    )
+    state
+        .current()
+        .map_or(Brdf::new(&COMBINED, Fresnel::Exact), |(_, opened)| {
+            opened.brdf
+        })
 }
 
 /// The measured files of the folder.

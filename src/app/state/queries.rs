@@ -5,7 +5,7 @@ use crate::app::state::about::OnPaper;
 use crate::app::state::material::{Material, Presence};
 use crate::app::state::session::Missing;
 use crate::app::state::views::ViewId;
-use crate::brdf::{Brdf, ParamId};
+use crate::brdf::{Brdf, COMBINED};
 use crate::files::session;
 use std::path::Path;
 
@@ -76,7 +76,7 @@ impl State {
 
     /// Whether some material, open or in the folder, has a fit of the combined model.
     fn has_combined_fits(&self) -> bool {
-        let combined = |brdf: &Brdf| brdf.uses(ParamId::Alpha);
+        let combined = |brdf: &Brdf| brdf.model == &COMBINED;
         let open = self
             .scene
             .opened

@@ -4,7 +4,6 @@ use crate::app::state::State;
 use crate::app::state::fitting::kept::{KeptFit, variant_name};
 use crate::app::widgets::formula::{number, percent};
 use crate::app::widgets::paint::rich_text_job;
-use crate::brdf::params::ALL;
 use crate::figure::text::RichText;
 use crate::fit::Weight;
 use crate::fit::outcome::ALBEDO_ANGLES;
@@ -36,8 +35,8 @@ pub fn details_ui(ui: &mut egui::Ui, state: &State, kept: &KeptFit) {
     let channels = outcome.errors.channels.map(percent).join("   ");
     lines.push(("E of R, G, B".into(), channels));
     let brdf = &outcome.brdf;
-    for row in ALL.iter().filter(|row| brdf.uses(row.id)) {
-        let values: Vec<String> = brdf.params.get(row.id).iter().map(|x| number(*x)).collect();
+    for row in brdf.used() {
+        let values: Vec<String> = brdf.get(row.id).iter().map(|x| number(*x)).collect();
         lines.push((row.symbol.into(), values.join("   ")));
     }
     // Of the brightest channel: the one that may exceed 1.

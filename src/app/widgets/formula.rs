@@ -1,6 +1,6 @@
 //! The formula of a BRDF in the markup of [`crate::figure::text`]: with symbols, and with its numbers.
 
-use crate::brdf::{Brdf, Fresnel, ParamId};
+use crate::brdf::{Brdf, Fresnel};
 
 /// `f_r = …` with symbols.
 pub fn symbolic(brdf: &Brdf) -> String {
@@ -17,8 +17,8 @@ pub fn symbolic(brdf: &Brdf) -> String {
 /// `f_r = …` with the numbers in; colours as (R, G, B), or one number where they are grey.
 pub fn numeric(brdf: &Brdf) -> String {
     let mut lobe = brdf.model.formula.to_string();
-    for row in brdf.model.params.iter().filter(|row| !row.id.is_color()) {
-        lobe = substituted(&lobe, row.symbol, &number(brdf.params.get(row.id)[0]));
+    for (row, value) in brdf.model.params.iter().zip(brdf.params.lobe) {
+        lobe = substituted(&lobe, row.symbol, &number(value));
     }
     let factor = match brdf.fresnel {
         Fresnel::None => String::new(),
@@ -28,8 +28,8 @@ pub fn numeric(brdf: &Brdf) -> String {
     };
     format!(
         "f_{{r}} = {}/π + {}{factor} {lobe}",
-        color(brdf.params.get(ParamId::RhoD)),
-        color(brdf.params.get(ParamId::KS)),
+        color(&brdf.params.rho_d),
+        color(&brdf.params.k_s),
     )
 }
 
@@ -92,6 +92,7 @@ pub fn percent(error: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::brdf::params::lobe_values;
 
     #[test]
     fn a_symbol_is_replaced_where_it_stands_alone() {
@@ -110,8 +111,7 @@ mod tests {
         let params = Params {
             rho_d: [0.25; 3],
             k_s: [1.0, 2.0, 30.0],
-            s: 1234.0,
-            alpha: 0.3,
+            lobe: lobe_values([1234.0, 0.3]),
             eta: 1.5,
         };
         let model = Model::by_key("combined").expect("a model");

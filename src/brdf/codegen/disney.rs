@@ -2,7 +2,7 @@
 
 use super::glsl::from_wgsl;
 use super::items::WgslItems;
-use super::parts::{ascii, head, library, literal, used, values};
+use super::parts::{ascii, head, library, literal, values};
 use crate::brdf::Brdf;
 use crate::brdf::params::{Param, Scale};
 use std::fmt::Write as _;
@@ -17,14 +17,14 @@ pub fn disney(brdf: &Brdf, material: Option<&str>) -> String {
     text.push_str(&head(brdf, material, "#"));
     text.push_str("\n::begin parameters\n");
     let mut arguments = String::new();
-    for row in used(brdf) {
+    for row in brdf.used() {
         let values = values(brdf, row);
         let largest = values.iter().copied().fold(0.0, f64::max);
         let (name, [low, high], default, value) = slider(row, largest);
         let numbers = [low, high, default].map(literal).join(" ");
         let _ = writeln!(text, "float {name} {numbers}");
         if row.id.is_color() {
-            let key = row.key;
+            let key = row.key();
             let shade = |value: &f64| literal(if largest > 0.0 { value / largest } else { 0.0 });
             let shades: Vec<String> = values.iter().map(shade).collect();
             let _ = writeln!(text, "color {key}_color {}", shades.join(" "));
@@ -55,7 +55,7 @@ pub fn disney(brdf: &Brdf, material: Option<&str>) -> String {
 
 /// Name, range and default of a parameter's slider, and the GLSL expression of the parameter in terms of it.
 fn slider(row: &Param, value: f64) -> (String, [f64; 2], f64, String) {
-    let key = row.key;
+    let key = row.key();
     let (low, high) = row.range;
     match row.scale {
         Scale::Linear => {

@@ -1,5 +1,6 @@
 //! The parts of the exported texts: head, parameter values, functions.
 
+use crate::brdf::wgsl::{self, SHARED};
 use crate::brdf::{Brdf, Fresnel, Param};
 use crate::quote::shown;
 use std::fmt::Write as _;
@@ -28,10 +29,10 @@ pub(super) fn head(brdf: &Brdf, material: Option<&str>, comment: &str) -> String
     };
     let source = brdf.model.source;
     let mut numbers = Vec::new();
-    for row in used(brdf) {
+    for row in brdf.used() {
         let unit = if row.unit.is_empty() { "" } else { " " };
         let value = literal_list(brdf, row);
-        numbers.push(format!("{} = {value}{unit}{}", row.key, row.unit));
+        numbers.push(format!("{} = {value}{unit}{}", row.key(), row.unit));
     }
     let numbers = numbers.join(", ");
     format!(
@@ -44,15 +45,9 @@ pub(super) fn head(brdf: &Brdf, material: Option<&str>, comment: &str) -> String
     )
 }
 
-/// Rows of the parameters that count for this model and Fresnel factor, in the order of the model.
-pub(super) fn used(brdf: &Brdf) -> impl Iterator<Item = &'static Param> {
-    let rows = brdf.model.params.iter();
-    rows.filter(|row| brdf.uses(row.id))
-}
-
 /// Values of a parameter, clamped to its domain, on which the functions make no inf or NaN.
 pub(super) fn values(brdf: &Brdf, row: &Param) -> Vec<f64> {
-    let values = brdf.params.get(row.id).iter();
+    let values = brdf.get(row.id).iter();
     values.map(|value| row.clamp(*value)).collect()
 }
 
@@ -72,19 +67,20 @@ pub(super) fn literal(value: f64) -> String {
 /// WGSL text of the twins that the model may need, and of `with_params`, the BRDF for any parameters.
 pub(super) fn library(brdf: &Brdf) -> String {
     let mut text = String::from("struct Params {\n");
-    for row in used(brdf) {
+    for row in brdf.used() {
         let ty = if row.id.is_color() { "vec3f" } else { "f32" };
-        let _ = writeln!(text, "    {}: {ty},", row.key);
+        let _ = writeln!(text, "    {}: {ty},", row.key());
     }
     text.push_str("}\n\n");
     text.push_str(include_str!("../../geom/cosines.wgsl"));
     text.push_str(include_str!("../fresnel.wgsl"));
+    text.push_str(SHARED);
     text.push_str(brdf.model.wgsl);
     let factor = match brdf.fresnel {
         Fresnel::None => String::new(),
-        fresnel => format!("fresnel_{}(c.wi_dot_wh, p.eta) * ", fresnel.key()),
+        fresnel => format!("fresnel_{}(c.wi_wh.cos, p.eta) * ", fresnel.key()),
     };
-    let lobe = brdf.model.key.replace('-', "_");
+    let lobe = wgsl::call(brdf.model, |k| format!("p.{}", brdf.model.params[k].key()));
     let _ = write!(
         text,
         "
@@ -93,7 +89,7 @@ fn with_params(p: Params, wi: vec3f, wo: vec3f) -> vec3f {{
         return vec3f(0.0);
     }}
     let c: Cosines = cosines_from_directions(wi, wo);
-    let shape: f32 = {factor}lobe_{lobe}(p, c);
+    let shape: f32 = {factor}{lobe};
     return p.rho_d * 0.3183098861837907 + p.k_s * shape;
 }}
 "
@@ -105,7 +101,7 @@ fn with_params(p: Params, wi: vec3f, wo: vec3f) -> vec3f {{
 pub(super) fn entry(brdf: &Brdf) -> String {
     let mut text =
         String::from("fn brdf(wi: vec3f, wo: vec3f) -> vec3f {\n    let p: Params = Params(\n");
-    for row in used(brdf) {
+    for row in brdf.used() {
         let list = literal_list(brdf, row);
         let ty = if row.id.is_color() { "vec3f" } else { "" };
         let _ = writeln!(text, "        {ty}{list},");

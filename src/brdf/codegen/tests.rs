@@ -1,5 +1,6 @@
 use super::*;
 use crate::brdf::fresnel::FRESNELS;
+use crate::brdf::params::lobe_values;
 use crate::brdf::{Brdf, Fresnel, MODELS, Params};
 
 fn brdf(model: usize, fresnel: Fresnel) -> Brdf {
@@ -9,8 +10,7 @@ fn brdf(model: usize, fresnel: Fresnel) -> Brdf {
         params: Params {
             rho_d: [0.25, 0.125, 0.0],
             k_s: [9.0, 8.5, 1e-7],
-            s: 120.0,
-            alpha: 0.4,
+            lobe: lobe_values([120.0, 0.4]),
             eta: 1.5,
         },
     }
@@ -98,7 +98,7 @@ fn a_strange_name_stays_in_its_comment() {
 #[test]
 fn numbers_outside_of_the_domain_are_brought_into_it() {
     let mut wild = brdf(2, Fresnel::Exact);
-    wild.params.s = f64::NAN;
+    wild.params.lobe[0] = f64::NAN;
     wild.params.eta = 0.0;
     wild.params.rho_d = [-1.0, f64::INFINITY, 0.5];
     let text = wgsl(&wild, None);

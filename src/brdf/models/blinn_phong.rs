@@ -2,14 +2,15 @@
 //!
 //! | parameter | range | meaning |
 //! |---|---|---|
-//! | ρ_d, k_s | ≥ 0 | diffuse reflectance, specular amplitude |
 //! | s | > 0 | specular exponent, of wh·n itself |
 //!
 //! `f_r = ρ_d/π + ρ_s (s+8)/(8π) (wh·n)^s` [Nielsen14] after [AkenineMoller08]. At grazing angles the highlight is
 //! condensed towards the plane of incidence.
 
+use super::exponent;
+use crate::brdf::along_phi_d::{AlongPhiD, PowerBase, RowAngles};
 use crate::brdf::model::Model;
-use crate::brdf::params::{self, Param, Params};
+use crate::brdf::params::{LobeValues, Param};
 use crate::geom::Cosines;
 use std::f64::consts::PI;
 
@@ -19,22 +20,36 @@ pub static MODEL: Model = Model {
     name: "Blinn-Phong",
     source: "[Nielsen14] after [AkenineMoller08]",
     formula: "(ω_{h}·n)^{s}",
-    params: &[params::RHO_D, params::K_S, S, params::ETA],
+    params: &[S],
     lobe,
     wgsl: include_str!("blinn_phong.wgsl"),
-    normalization: Some(|s| (s + 8.0) / (8.0 * PI)),
-    exponent_ratio: 4.0,
-    alpha: Some(1.0),
+    normalization: Some(|p| (p[0] + 8.0) / (8.0 * PI)),
+    // (wh·n)^s as a power of (wh·n)⁴, the base that the combined model has at α = 1.
+    along_phi_d: AlongPhiD::Power {
+        exponent: 0.25,
+        base,
+    },
+    contains: &[],
 };
 
 /// Exponent s with four times the range of the other models, so that each of their highlights has its counterpart here.
 const S: Param = Param {
-    range: (0.04, 4e5),
-    domain: (4e-3, 4e7),
-    default: 4.0 * params::S.default,
-    ..params::S
+    range: (4.0 * exponent::S.range.0, 4.0 * exponent::S.range.1),
+    domain: (4.0 * exponent::S.domain.0, 4.0 * exponent::S.domain.1),
+    bounds: (4.0 * exponent::S.bounds.0, 4.0 * exponent::S.bounds.1),
+    default: 4.0 * exponent::S.default,
+    ..exponent::S
 };
 
-fn lobe(p: &Params, c: &Cosines) -> f64 {
-    c.wh_n.pow(p.s)
+fn lobe(p: &LobeValues, c: &Cosines) -> f64 {
+    let [s, ..] = *p;
+    c.wh_n.pow(s)
+}
+
+fn base(_: &LobeValues, row: &RowAngles) -> PowerBase {
+    PowerBase {
+        x: row.mirror_versine(),
+        blend: [0.0, row.versine4_h()],
+        slope: [0.0; 3],
+    }
 }

@@ -2,6 +2,7 @@
 
 mod blinn_phong;
 mod combined;
+mod exponent;
 mod phong;
 
 use super::model::Model;
@@ -11,12 +12,12 @@ pub use combined::MODEL as COMBINED;
 pub use phong::MODEL as PHONG;
 
 /// All models, in the order in which they are offered.
-pub static MODELS: [&Model; 3] = [&PHONG, &BLINN_PHONG, &COMBINED];
+pub static MODELS: &[&Model] = &[&PHONG, &BLINN_PHONG, &COMBINED];
 
 impl Model {
     /// The model with this `key`.
     pub fn by_key(key: &str) -> Option<&'static Self> {
-        MODELS.into_iter().find(|model| model.key == key)
+        MODELS.iter().copied().find(|model| model.key == key)
     }
 
     /// Index in [`MODELS`], which is the model's number on the GPU.

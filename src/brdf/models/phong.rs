@@ -2,14 +2,15 @@
 //!
 //! | parameter | range | meaning |
 //! |---|---|---|
-//! | ρ_d, k_s | ≥ 0 | diffuse reflectance, specular amplitude |
 //! | s | > 0 | specular exponent |
 //!
 //! `f_r = ρ_d/π + ρ_s (s+2)/(2π) (wr·wo)^s` [Nielsen14] after [AkenineMoller08]. At grazing angles the highlight
 //! stretches into a broad band.
 
+use super::exponent;
+use crate::brdf::along_phi_d::{AlongPhiD, PowerBase, RowAngles};
 use crate::brdf::model::Model;
-use crate::brdf::params::{self, Params};
+use crate::brdf::params::LobeValues;
 use crate::geom::Cosines;
 use std::f64::consts::PI;
 
@@ -19,14 +20,26 @@ pub static MODEL: Model = Model {
     name: "Phong",
     source: "[Nielsen14] after [AkenineMoller08]",
     formula: "(ω_{r}·ω_{o})^{s}",
-    params: &[params::RHO_D, params::K_S, params::S, params::ETA],
+    params: &[exponent::S],
     lobe,
     wgsl: include_str!("phong.wgsl"),
-    normalization: Some(|s| (s + 2.0) / (2.0 * PI)),
-    exponent_ratio: 1.0,
-    alpha: Some(0.0),
+    normalization: Some(|p| (p[0] + 2.0) / (2.0 * PI)),
+    along_phi_d: AlongPhiD::Power {
+        exponent: 1.0,
+        base,
+    },
+    contains: &[],
 };
 
-fn lobe(p: &Params, c: &Cosines) -> f64 {
-    c.wr_wo.pow(p.s)
+fn lobe(p: &LobeValues, c: &Cosines) -> f64 {
+    let [s, ..] = *p;
+    c.wr_wo.pow(s)
+}
+
+fn base(_: &LobeValues, row: &RowAngles) -> PowerBase {
+    PowerBase {
+        x: row.mirror_versine(),
+        blend: [1.0, 0.0],
+        slope: [0.0; 3],
+    }
 }

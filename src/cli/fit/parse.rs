@@ -1,6 +1,6 @@
 //! The values of the options of `grazing fit`: each function says in one line what is wrong and what was expected.
 
-use crate::brdf::{Param, Params, params};
+use crate::brdf::{Param, ParamId, params};
 use crate::fit::{Partial, Stage, StageSet};
 use crate::keys;
 use crate::quote::{quoted, shown};
@@ -44,8 +44,9 @@ pub fn stages(text: &str) -> Result<StageSet, String> {
 
 /// Parameters with values: `s=30,k_s=1:2:3`.
 pub fn values(text: &str) -> Result<Partial, String> {
-    let (mut found, mut params) = (Partial::default(), Params::default());
-    let all = || params::ALL.map(|row| row.key).join(", ");
+    let mut found = Partial::default();
+    let keys = || params::all().map(Param::key);
+    let all = || keys().collect::<Vec<_>>().join(", ");
     for part in text.split(',') {
         let Some((key, value)) = part.split_once('=') else {
             return Err(format!(
@@ -55,8 +56,8 @@ pub fn values(text: &str) -> Result<Partial, String> {
             ));
         };
         let key = key.trim();
-        let Some(row) = params::ALL.iter().find(|row| row.key == key) else {
-            let proposal = keys::did_you_mean(key, params::ALL.map(|row| row.key));
+        let Some(row) = params::all().find(|row| row.key() == key) else {
+            let proposal = keys::did_you_mean(key, keys());
             return Err(format!(
                 "there is no parameter {}; expected one of {}{proposal}",
                 quoted(key),
@@ -67,19 +68,22 @@ pub fn values(text: &str) -> Result<Partial, String> {
             return Err(format!("{key} is given twice; give it once"));
         }
         let numbers = numbers(row, value)?;
-        let to = params.get_mut(row.id);
-        match numbers[..] {
-            [one] => to.fill(one),
-            _ => to.copy_from_slice(&numbers),
+        let (first, rgb) = match numbers[..] {
+            [r, g, b] => (r, [r, g, b]),
+            _ => (numbers[0], [numbers[0]; 3]),
+        };
+        match row.id {
+            ParamId::RHO_D => found.rho_d = Some(rgb),
+            ParamId::K_S => found.k_s = Some(rgb),
+            id => _ = found.shared.insert(id, first),
         }
-        found.set(row.id, &params);
     }
     Ok(found)
 }
 
 /// One number, or three with colons between them for a colour.
 fn numbers(row: &Param, text: &str) -> Result<Vec<f64>, String> {
-    let key = row.key;
+    let key = row.key();
     let (low, high) = row.domain;
     let parts: Vec<&str> = text.split(':').collect();
     if parts.len() != 1 && !(row.id.is_color() && parts.len() == 3) {

@@ -1,4 +1,5 @@
 use super::*;
+use crate::brdf::params::lobe_values;
 use crate::brdf::{Brdf, Fresnel, Model, Params};
 use crate::figure::drawing::Item;
 use crate::figure::plot::tests::{SIZES, clashes, strays, subject};
@@ -35,8 +36,7 @@ fn lambert_is_flat_whatever_it_is_made_of() {
         params: Params {
             rho_d: [0.4; 3],
             k_s: [0.0; 3],
-            s: 10.0,
-            alpha: 0.0,
+            lobe: lobe_values([10.0, 0.0]),
             eta: 1.5,
         },
     };

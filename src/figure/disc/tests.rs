@@ -1,4 +1,5 @@
 use super::*;
+use crate::brdf::params::lobe_values;
 use crate::brdf::{Brdf, Fresnel, MODELS, Params};
 use crate::figure::cosine::CosineFactor;
 use crate::figure::drawing::Item;
@@ -19,8 +20,7 @@ fn model() -> Source {
         params: Params {
             rho_d: [0.3, 0.2, 0.1],
             k_s: [2.0, 3.0, 4.0],
-            s: 40.0,
-            alpha: 0.3,
+            lobe: lobe_values([40.0, 0.3]),
             eta: 1.6,
         },
     })

@@ -1,5 +1,5 @@
 use super::*;
-use crate::brdf::{Brdf, COMBINED, Fresnel, Params};
+use crate::brdf::{Brdf, COMBINED, Fresnel};
 use crate::figure::cosine::CosineFactor;
 use crate::figure::shown::SHOWN;
 use crate::measured::Table;
@@ -10,7 +10,7 @@ fn brdf() -> Brdf {
     Brdf {
         model: &COMBINED,
         fresnel: Fresnel::Exact,
-        params: Params::default(),
+        params: COMBINED.default_params(),
     }
 }
 

@@ -1,5 +1,6 @@
 use super::*;
 use crate::brdf::fresnel::Fresnel;
+use crate::brdf::params::lobe_values;
 use crate::brdf::{Brdf, COMBINED, Params};
 use crate::figure::cosine::CosineFactor;
 use crate::figure::palette::{Palette, Role};
@@ -46,8 +47,7 @@ fn glossy() -> Subject {
         params: Params {
             rho_d: [0.3, 0.2, 0.1],
             k_s: [50.0; 3],
-            s: 800.0,
-            alpha: 0.3,
+            lobe: lobe_values([800.0, 0.3]),
             eta: 1.5,
         },
     }))

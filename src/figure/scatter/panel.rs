@@ -53,8 +53,8 @@ impl PanelView for ScatterSpec {
                 };
                 Some(ScatterDot {
                     name: subject.label.clone(),
-                    s: brdf.params.s,
-                    alpha: brdf.params.alpha,
+                    s: brdf.params.lobe[0],
+                    alpha: brdf.params.lobe[1],
                     fill: Role::Series(subject.series),
                     ring: None,
                     shown: false,

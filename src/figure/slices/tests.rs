@@ -1,5 +1,6 @@
 use super::draw::grazing_regions;
 use super::*;
+use crate::brdf::params::lobe_values;
 use crate::brdf::{Brdf, Fresnel, Model, Params};
 use crate::figure::cosine::CosineFactor;
 use crate::figure::drawing::Item;
@@ -21,8 +22,7 @@ fn brdf(key: &str, s: f64) -> Brdf {
         params: Params {
             rho_d: [0.3, 0.2, 0.1],
             k_s: [2.0, 1.0, 0.5],
-            s,
-            alpha: 0.4,
+            lobe: lobe_values([s, 0.4]),
             eta: 1.5,
         },
     }

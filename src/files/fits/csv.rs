@@ -29,11 +29,11 @@ fn columns() -> Vec<String> {
         .map(String::from)
         .to_vec();
     columns.extend(colors("error".into()));
-    for row in &params::ALL {
+    for row in params::all() {
         if row.id.is_color() {
-            columns.extend(colors(row.key.into()));
+            columns.extend(colors(row.key().into()));
         } else {
-            columns.push(row.key.into());
+            columns.push(row.key().into());
         }
     }
     for angle in ALBEDO_ANGLES {
@@ -64,12 +64,11 @@ fn row(fit: &FitRecord) -> Vec<String> {
         fit.errors.grazing.map_or(String::new(), number),
     ];
     row.extend(fit.errors.channels.map(number));
-    for param in &params::ALL {
-        let values = fit.brdf.params.get(param.id).iter().copied();
+    for param in params::all() {
         if fit.brdf.uses(param.id) {
-            row.extend(values.map(number));
+            row.extend(fit.brdf.get(param.id).iter().copied().map(number));
         } else {
-            row.extend(values.map(|_| String::new()));
+            row.push(String::new());
         }
     }
     row.extend(fit.albedo.as_flattened().iter().copied().map(number));
@@ -99,14 +98,10 @@ fn row(fit: &FitRecord) -> Vec<String> {
 
 /// Parameter values as they are typed on the command line: `s=30,k_s=1:2:3`.
 fn settings(values: &Partial, fit: &FitRecord) -> String {
-    let params = values.over(fit.brdf.params);
-    let set = params::ALL
-        .iter()
-        .filter(|row| values.has(row.id) && fit.brdf.uses(row.id))
-        .map(|row| {
-            let numbers: Vec<String> = params.get(row.id).iter().copied().map(number).collect();
-            format!("{}={}", row.key, numbers.join(":"))
-        });
+    let set = fit.brdf.used().filter(|row| values.has(row.id)).map(|row| {
+        let numbers: Vec<String> = values.get(row.id).iter().copied().map(number).collect();
+        format!("{}={}", row.key(), numbers.join(":"))
+    });
     set.collect::<Vec<_>>().join(",")
 }
 

@@ -1,15 +1,16 @@
 //! Fits as JSON: one line per fit, numbers as the shortest text that reads back as the same f64.
 
 use super::record::{FitEntry, FitRecord, SourceFile, StageRecord};
-use crate::brdf::{self, Brdf, ParamId, Params, PerParam, params};
-use crate::fit::options;
+use crate::brdf::{self, Brdf, ParamId, params};
+use crate::fit::options::Bounds;
 use crate::fit::outcome::ALBEDO_ANGLES;
 use crate::fit::{EndReason, Errors, FitOptions, Partial, Stage, Weight};
 use crate::geom::Rgb;
 use crate::json;
 use crate::keys;
 use crate::quote::said;
-use serde::{Deserialize, Serialize};
+use serde::ser::SerializeMap;
+use serde::{Deserialize, Serialize, Serializer};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -96,13 +97,9 @@ struct Object {
     program: String,
     version: String,
     options: OptionsObject,
-    model: String,
-    fresnel: String,
-    rho_d: Rgb,
-    k_s: Rgb,
-    s: f64,
-    alpha: Option<f64>,
-    eta: Option<f64>,
+    /// `model`, `fresnel` and a key per parameter, read before the rest; see [`brdf::json`].
+    #[serde(flatten, skip_deserializing)]
+    brdf: Option<Keys>,
     error: f64,
     error_grazing: Option<f64>,
     error_channels: [Option<f64>; 3],
@@ -119,9 +116,9 @@ struct OptionsObject {
     weight: String,
     limit: f64,
     stages: Vec<usize>,
-    start: Numbers,
-    held: Numbers,
-    bounds: Bounds,
+    start: Keys,
+    held: Keys,
+    bounds: Keys,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -130,101 +127,104 @@ struct StageObject {
     start_error: f64,
     error: f64,
     evaluations: usize,
-    parameters: Numbers,
+    parameters: Keys,
 }
 
-/// Parameter values by key; null where there is none.
-#[derive(Serialize, Deserialize)]
-struct Numbers {
-    rho_d: Option<Rgb>,
-    k_s: Option<Rgb>,
-    s: Option<f64>,
-    alpha: Option<f64>,
-    eta: Option<f64>,
-}
+/// A JSON object whose keys keep their order.
+struct Keys(Vec<(String, Value)>);
 
-impl Numbers {
-    /// Values without those of parameters that do not count for a model.
-    fn new(values: &Partial, brdf: &Brdf) -> Self {
-        Self {
-            rho_d: values.rho_d,
-            k_s: values.k_s,
-            s: values.s,
-            alpha: values.alpha.filter(|_| brdf.uses(ParamId::Alpha)),
-            eta: values.eta.filter(|_| brdf.uses(ParamId::Eta)),
+impl Serialize for Keys {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.0.len()))?;
+        for (key, value) in &self.0 {
+            map.serialize_entry(key, value)?;
         }
+        map.end()
+    }
+}
+
+impl<'de> Deserialize<'de> for Keys {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let map = serde_json::Map::deserialize(deserializer)?;
+        Ok(Self(map.into_iter().collect()))
+    }
+}
+
+impl Keys {
+    /// A key per parameter of any model; null where `value` gives none, and where the parameter does not count.
+    fn per_parameter(brdf: &Brdf, value: impl Fn(ParamId) -> Option<Value>) -> Self {
+        let of = |id: ParamId| value(id).filter(|_| brdf.uses(id)).unwrap_or_default();
+        let keys = params::all().map(|row| (row.key().to_owned(), of(row.id)));
+        Self(keys.collect())
     }
 
-    fn of(params: &Params, brdf: &Brdf) -> Self {
-        let mut all = Partial::default();
-        for row in &params::ALL {
-            all.set(row.id, params);
-        }
-        Self::new(&all, brdf)
+    fn of_values(values: &Partial, brdf: &Brdf) -> Self {
+        Self::per_parameter(brdf, |id| match values.get(id) {
+            [] => None,
+            [one] => Some((*one).into()),
+            many => Some(many.into()),
+        })
+    }
+
+    fn of_parameters(brdf: &Brdf) -> Self {
+        Self::per_parameter(brdf, |id| Some(brdf::json::parameter(brdf, id)))
+    }
+
+    fn of_bounds(options: &FitOptions, brdf: &Brdf) -> Self {
+        Self::per_parameter(brdf, |id| {
+            let (low, high) = options.bounds_of(brdf.model.param(id)?);
+            Some([low, high].as_slice().into())
+        })
+    }
+
+    fn of_brdf(brdf: &Brdf) -> Self {
+        let mut keys = vec![
+            ("model".into(), brdf.model.key.into()),
+            ("fresnel".into(), brdf.fresnel.key().into()),
+        ];
+        keys.extend(Self::of_parameters(brdf).0);
+        Self(keys)
+    }
+
+    fn get<'de, T: Deserialize<'de>>(&'de self, id: ParamId) -> Option<T> {
+        let (_, value) = self.0.iter().find(|(key, _)| key == id.key())?;
+        T::deserialize(value).ok()
     }
 
     fn values(&self) -> Partial {
+        let shared = params::all().filter(|row| !row.id.is_color());
+        let shared = shared.filter_map(|row| Some((row.id, self.get(row.id)?)));
         Partial {
-            rho_d: self.rho_d,
-            k_s: self.k_s,
-            s: self.s,
-            alpha: self.alpha,
-            eta: self.eta,
-        }
-    }
-}
-
-/// Bounds by key, (smallest, largest); null where the model lacks the parameter.
-#[derive(Serialize, Deserialize)]
-struct Bounds {
-    rho_d: Option<(f64, f64)>,
-    k_s: Option<(f64, f64)>,
-    s: Option<(f64, f64)>,
-    alpha: Option<(f64, f64)>,
-    eta: Option<(f64, f64)>,
-}
-
-impl Bounds {
-    fn new(options: &FitOptions, brdf: &Brdf) -> Self {
-        let of = |id| {
-            let row = brdf.model.param(id).filter(|_| brdf.uses(id))?;
-            Some(options.bounds_of(row))
-        };
-        Self {
-            rho_d: of(ParamId::RhoD),
-            k_s: of(ParamId::KS),
-            s: of(ParamId::S),
-            alpha: of(ParamId::Alpha),
-            eta: of(ParamId::Eta),
+            rho_d: self.get(ParamId::RHO_D),
+            k_s: self.get(ParamId::K_S),
+            shared: shared.collect(),
         }
     }
 
-    /// Bounds that are not the default ones.
-    fn values(&self) -> PerParam<Option<options::Bounds>> {
-        PerParam::from_rows(|row| {
-            let bounds = match row.id {
-                ParamId::RhoD => self.rho_d,
-                ParamId::KS => self.k_s,
-                ParamId::S => self.s,
-                ParamId::Alpha => self.alpha,
-                ParamId::Eta => self.eta,
-            };
-            bounds.filter(|bounds| *bounds != options::default_bounds(row))
-        })
+    /// Bounds that are not those of the model's rows.
+    fn bounds(&self, brdf: &Brdf) -> BTreeMap<ParamId, Bounds> {
+        let rows = brdf.model.rows();
+        let bounds = rows.filter_map(|row| {
+            let bounds: Bounds = self.get(row.id)?;
+            (bounds != row.bounds).then_some((row.id, bounds))
+        });
+        bounds.collect()
     }
 }
 
 impl From<&FitRecord> for Object {
     fn from(fit: &FitRecord) -> Self {
         let (brdf, options) = (&fit.brdf, &fit.options);
-        let Numbers { alpha, eta, .. } = Numbers::of(&brdf.params, brdf);
         let finite = |error: f64| error.is_finite().then_some(error);
         let stages = fit.stages.iter().map(|stage| StageObject {
             stage: stage.stage.number(),
             start_error: stage.start_error,
             error: stage.error,
             evaluations: stage.evaluations,
-            parameters: Numbers::of(&stage.params, brdf),
+            parameters: Keys::of_parameters(&Brdf {
+                params: stage.params,
+                ..*brdf
+            }),
         });
         Self {
             material: fit.material.clone(),
@@ -235,17 +235,11 @@ impl From<&FitRecord> for Object {
                 weight: fit.weight.key().into(),
                 limit: fit.limit_deg,
                 stages: options.stages.iter().map(Stage::number).collect(),
-                start: Numbers::new(&options.start, brdf),
-                held: Numbers::new(&options.held, brdf),
-                bounds: Bounds::new(options, brdf),
+                start: Keys::of_values(&options.start, brdf),
+                held: Keys::of_values(&options.held, brdf),
+                bounds: Keys::of_bounds(options, brdf),
             },
-            model: brdf.model.key.into(),
-            fresnel: brdf.fresnel.key().into(),
-            rho_d: brdf.params.rho_d,
-            k_s: brdf.params.k_s,
-            s: brdf.params.s,
-            alpha,
-            eta,
+            brdf: Some(Keys::of_brdf(brdf)),
             error: fit.errors.total,
             error_grazing: fit.errors.grazing.and_then(finite),
             error_channels: fit.errors.channels.map(finite),
@@ -277,7 +271,7 @@ impl Object {
             stages: stages.collect::<Option<_>>()?,
             start: self.options.start.values(),
             held: self.options.held.values(),
-            bounds: self.options.bounds.values(),
+            bounds: self.options.bounds.bounds(&brdf),
         };
         let stage = |stage: StageObject| {
             Some(StageRecord {
@@ -285,7 +279,7 @@ impl Object {
                 start_error: stage.start_error,
                 error: stage.error,
                 evaluations: stage.evaluations,
-                params: stage.parameters.values().over(brdf.params),
+                params: stage.parameters.values().over(brdf).params,
             })
         };
         let [Some(a), Some(b), Some(c)] =

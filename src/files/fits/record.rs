@@ -43,7 +43,7 @@ pub struct StageRecord {
     pub start_error: f64,
     /// E at the end of the stage.
     pub error: f64,
-    /// Number of shapes (s, α, η) that the stage has tried.
+    /// Number of shapes (lobe and η) that the stage has tried.
     pub evaluations: usize,
     /// Parameters at the end of the stage.
     pub params: Params,
@@ -72,7 +72,7 @@ pub struct FitRecord {
     pub stages: Vec<StageRecord>,
     /// Directional albedo of the model at [`crate::fit::outcome::ALBEDO_ANGLES`], linear RGB.
     pub albedo: [Rgb; 3],
-    /// Number of shapes (s, α, η) that were tried in all.
+    /// Number of shapes (lobe and η) that were tried in all.
     pub evaluations: usize,
     /// Reason why the fit ended.
     pub ended: EndReason,
@@ -102,7 +102,7 @@ impl FitRecord {
             version: env!("CARGO_PKG_VERSION").into(),
             weight,
             limit_deg,
-            options: *options,
+            options: options.clone(),
             brdf: outcome.brdf,
             errors: outcome.errors,
             stages: stages.collect(),

@@ -1,25 +1,26 @@
 //! Kernels of E and its gradient in the variables of the search.
 
 use super::super::amplitudes::Amplitudes;
-use super::super::lobe_kernel::LobeKernel;
+use super::super::lobes::{LobeKernel, RowSlopes};
 use super::super::simd::{self, Kernel, Lanes, vectors};
-use super::super::symmetric_cells::{CellRow, SymmetricCells};
+use super::super::symmetric_cells::{CellRow, ROW_CELLS, SymmetricCells};
 use super::super::threads::Threads;
-use super::rows::{ROWS_PER_SUM, RowLanes, block_of, over_slabs, per_block};
+use super::super::variables::VARIABLES;
+use super::rows::{ROWS_PER_SUM, block_of, over_slabs, per_block};
 use pulp::Simd;
 use std::ops::Range;
 
-/// E and its gradient in (ln s, α, ln(η − 1)) with the amplitudes held.
+/// E and its gradient in the variables of the search with the amplitudes held.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ErrorGradient {
     /// E = Σ w |f̂ − f| / Σ w f, both sums over all channels.
     pub error: f64,
     /// Gradient of E; 0 where it was not asked for.
-    pub gradient: [f64; 3],
+    pub gradient: [f64; VARIABLES],
 }
 
 struct ErrorPass<'a, const GRADIENT: bool> {
-    lobe: &'a LobeKernel,
+    lobe: &'a dyn LobeKernel,
     cells: &'a SymmetricCells,
     rows: &'a [CellRow],
     amplitudes: &'a Amplitudes,
@@ -46,19 +47,28 @@ impl<const GRADIENT: bool> ErrorPass<'_, GRADIENT> {
         let specular = self.amplitudes.specular.map(|b| splat(b as f32));
         let band = splat(self.band);
         let smallest = splat(f32::MIN_POSITIVE);
-        let mut slopes = ErrorGradient::default();
+        let mut shapes = [0.0; ROW_CELLS];
+        let mut slopes = RowSlopes::default();
+        // ∂E / ∂ ln shape per cell of the row.
+        let mut by_ln_shapes = [0.0; ROW_CELLS];
+        let mut sums = ErrorGradient::default();
         for rows in self.rows.chunks(ROWS_PER_SUM) {
-            let [mut error, mut by_s, mut by_alpha] = [zero; 3];
+            let mut error = zero;
             for row in rows {
-                let lobe = self.lobe.row(row);
-                let lanes = RowLanes::new(simd, row, &lobe);
-                let versine4 = splat(lobe.versine4);
-                let mut by_eta = zero;
+                let cos2 = self.cells.cos2_of(row);
+                let shapes = &mut shapes[..cos2.len()];
+                if GRADIENT {
+                    self.lobe.slopes(row, cos2, shapes, &mut slopes);
+                } else {
+                    self.lobe.shapes(row, cos2, shapes);
+                }
+                let [w0, w1] = row.weight.map(splat);
                 let values = vectors::<S>(self.cells.values_of(row));
-                for (vector, cos2) in vectors::<S>(self.cells.cos2_of(row)).iter().enumerate() {
-                    let cos2 = Lanes::new(simd, *cos2);
-                    let point = lanes.point(simd, cos2);
-                    let weight = lanes.weight(cos2);
+                let by_ln_shapes = S::as_mut_simd_f32s(&mut by_ln_shapes).0;
+                let pairs = vectors::<S>(shapes).iter().zip(vectors::<S>(cos2));
+                for (vector, (shape, cos2)) in pairs.enumerate() {
+                    let shape = Lanes::new(simd, *shape);
+                    let weight = w1.mul_add(Lanes::new(simd, *cos2), w0);
                     let mut by_shape = zero;
                     let values = block_of::<S, MIRRORS>(values, vector);
                     for mirror in 0..MIRRORS {
@@ -67,7 +77,7 @@ impl<const GRADIENT: bool> ErrorPass<'_, GRADIENT> {
                         });
                         let weight = weight.where_le(zero, measured[0]);
                         for channel in 0..3 {
-                            let model = specular[channel].mul_add(point.shape, diffuse[channel]);
+                            let model = specular[channel].mul_add(shape, diffuse[channel]);
                             let size = (model - measured[channel]).abs();
                             error = weight.mul_add(size, error);
                             if GRADIENT {
@@ -79,32 +89,38 @@ impl<const GRADIENT: bool> ErrorPass<'_, GRADIENT> {
                         }
                     }
                     if GRADIENT {
-                        let by_ln_shape = by_shape * point.shape;
-                        by_eta = by_eta + by_ln_shape;
-                        let by_ln_base = by_ln_shape * lanes.s;
-                        by_s = by_ln_base.mul_add(point.ln, by_s);
-                        // d ln(1 − v)/dα with v the versine of the base; at a base of 0 the slope has no bound.
-                        let base = (splat(1.0) - point.versine).max(splat(1e-3));
-                        by_alpha = by_ln_base.mul_add((point.phong - versine4) / base, by_alpha);
+                        by_ln_shapes[vector] = (by_shape * shape).vector();
                     }
                 }
                 if GRADIENT {
-                    slopes.gradient[2] += by_eta.total() * lobe.fresnel_slope;
+                    let by_ln_shapes = &by_ln_shapes[..cos2.len() / S::F32_LANES];
+                    let mut total = zero;
+                    for by_ln_shape in by_ln_shapes {
+                        total = total + Lanes::new(simd, *by_ln_shape);
+                    }
+                    let total = total.total();
+                    for (sum, slope) in sums.gradient.iter_mut().zip(slopes.constant) {
+                        *sum += total * slope;
+                    }
+                    for (variable, slopes) in self.lobe.varying().iter().zip(&slopes.varying) {
+                        let mut sum = zero;
+                        for (by_ln_shape, slope) in by_ln_shapes.iter().zip(vectors::<S>(slopes)) {
+                            let by_ln_shape = Lanes::new(simd, *by_ln_shape);
+                            sum = by_ln_shape.mul_add(Lanes::new(simd, *slope), sum);
+                        }
+                        sums.gradient[*variable] += sum.total();
+                    }
                 }
             }
-            slopes.error += error.total();
-            if GRADIENT {
-                slopes.gradient[0] += by_s.total();
-                slopes.gradient[1] += by_alpha.total();
-            }
+            sums.error += error.total();
         }
-        slopes
+        sums
     }
 }
 
 /// E of a model: one pass over all cells. This is what the benchmarks call an objective pass.
 pub fn error(
-    lobe: &LobeKernel,
+    lobe: &dyn LobeKernel,
     cells: &SymmetricCells,
     amplitudes: &Amplitudes,
     threads: Threads,
@@ -115,7 +131,7 @@ pub fn error(
 /// E with its gradient. `band` is the half width, relative to the model, of the band in which the sign of residuals is
 /// softened.
 pub fn slopes(
-    lobe: &LobeKernel,
+    lobe: &dyn LobeKernel,
     cells: &SymmetricCells,
     amplitudes: &Amplitudes,
     band: f64,
@@ -125,7 +141,7 @@ pub fn slopes(
 }
 
 fn pass<const GRADIENT: bool>(
-    lobe: &LobeKernel,
+    lobe: &dyn LobeKernel,
     cells: &SymmetricCells,
     amplitudes: &Amplitudes,
     band: f32,
@@ -143,7 +159,7 @@ fn pass<const GRADIENT: bool>(
     let mut sum = ErrorGradient::default();
     over_slabs(cells, threads, work, |part| {
         sum.error += part.error;
-        (0..3).for_each(|k| sum.gradient[k] += part.gradient[k]);
+        (0..VARIABLES).for_each(|k| sum.gradient[k] += part.gradient[k]);
     });
     sum
 }

@@ -1,11 +1,11 @@
 //! Kernel of the error per channel and of the grazing cells.
 
 use super::super::amplitudes::Amplitudes;
-use super::super::lobe_kernel::LobeKernel;
+use super::super::lobes::LobeKernel;
 use super::super::simd::{self, Kernel, LANES, Lanes, vectors};
-use super::super::symmetric_cells::{CellRow, SymmetricCells};
+use super::super::symmetric_cells::{CellRow, ROW_CELLS, SymmetricCells};
 use super::super::threads::Threads;
-use super::rows::{ROWS_PER_SUM, RowLanes, block_of, over_slabs, per_block};
+use super::rows::{ROWS_PER_SUM, block_of, over_slabs, per_block};
 use pulp::Simd;
 use std::ops::Range;
 
@@ -19,7 +19,7 @@ pub struct Parts {
 }
 
 struct PartsPass<'a> {
-    lobe: &'a LobeKernel,
+    lobe: &'a dyn LobeKernel,
     cells: &'a SymmetricCells,
     rows: &'a [CellRow],
     amplitudes: &'a Amplitudes,
@@ -45,17 +45,21 @@ impl PartsPass<'_> {
         let specular = self.amplitudes.specular.map(|b| splat(b as f32));
         let places: [f32; LANES] = std::array::from_fn(|lane| lane as f32);
         let places = Lanes::new(simd, vectors::<S>(&places)[0]);
+        let mut shapes = [0.0; ROW_CELLS];
         let mut parts = Parts::default();
         for rows in self.rows.chunks(ROWS_PER_SUM) {
             let mut channels = [zero; 3];
             let mut grazing = zero;
             for row in rows {
-                let lanes = RowLanes::new(simd, row, &self.lobe.row(row));
+                let cos2 = self.cells.cos2_of(row);
+                let shapes = &mut shapes[..cos2.len()];
+                self.lobe.shapes(row, cos2, shapes);
+                let [w0, w1] = row.weight.map(splat);
                 let values = vectors::<S>(self.cells.values_of(row));
-                for (vector, cos2) in vectors::<S>(self.cells.cos2_of(row)).iter().enumerate() {
-                    let cos2 = Lanes::new(simd, *cos2);
-                    let shape = lanes.point(simd, cos2).shape;
-                    let weight = lanes.weight(cos2);
+                let pairs = vectors::<S>(shapes).iter().zip(vectors::<S>(cos2));
+                for (vector, (shape, cos2)) in pairs.enumerate() {
+                    let shape = Lanes::new(simd, *shape);
+                    let weight = w1.mul_add(Lanes::new(simd, *cos2), w0);
                     let values = block_of::<S, MIRRORS>(values, vector);
                     let mut here = [zero; 3];
                     for mirror in 0..MIRRORS {
@@ -83,7 +87,7 @@ impl PartsPass<'_> {
 
 /// Parts of E of a model: one pass over all cells.
 pub fn parts(
-    lobe: &LobeKernel,
+    lobe: &dyn LobeKernel,
     cells: &SymmetricCells,
     amplitudes: &Amplitudes,
     threads: Threads,

@@ -1,5 +1,7 @@
 use super::*;
-use crate::brdf::{BLINN_PHONG, PHONG};
+use crate::brdf::COMBINED;
+use crate::brdf::params::lobe_values;
+use crate::brdf::{BLINN_PHONG, PHONG, Params};
 use crate::fit::options::{NO_LIMIT, Weight};
 use crate::measured::{Grid, Table, tabulate};
 
@@ -11,8 +13,7 @@ fn truth() -> Brdf {
         params: Params {
             rho_d: [0.3, 0.2, 0.1],
             k_s: [2.0, 3.0, 4.0],
-            s: 100.0,
-            alpha: 0.25,
+            lobe: lobe_values([100.0, 0.25]),
             eta: 1.6,
         },
     }
@@ -32,8 +33,8 @@ fn the_bottom_is_where_the_data_were_made() {
     let problem = problem(&truth());
     let found = made(&problem, Fresnel::Exact, Eta::Fixed(1.6));
     let lowest = found.lowest().expect("nodes");
-    assert!((lowest.brdf.params.s / 100.0 - 1.0).abs() < 1e-9);
-    assert_eq!(lowest.brdf.params.alpha, 0.25);
+    assert!((lowest.brdf.params.lobe[0] / 100.0 - 1.0).abs() < 1e-9);
+    assert_eq!(lowest.brdf.params.lobe[1], 0.25);
     assert!(lowest.error < 1e-4, "{}", lowest.error);
     let (best, error) = found.best.expect("measured");
     assert!(error < 1e-5, "{error}");
@@ -62,8 +63,8 @@ fn the_edges_are_phong_and_blinn_phong() {
                     model,
                     fresnel: Fresnel::None,
                     params: Params {
-                        s,
-                        ..Params::default()
+                        lobe: lobe_values([s, 0.5]),
+                        ..COMBINED.default_params()
                     },
                 };
                 problem.errors(&problem.with_best_amplitudes(&brdf)).total
@@ -99,7 +100,7 @@ fn a_solved_eta_is_at_least_as_good_as_any_fixed_one() {
     };
     let fixed = |eta: f64, node: &Node| {
         let params = node.brdf.params;
-        survey(eta).node(params.s, params.alpha).error
+        survey(eta).node(params.lobe[0], params.lobe[1]).error
     };
     for node in solved.nodes.iter().step_by(37) {
         for eta in [1.05, 1.3, 1.6, 2.5] {
@@ -134,7 +135,9 @@ fn it_comes_coarse_to_fine_and_stops_when_told() {
     for grid in &grids {
         for node in &grid.nodes {
             let params = node.brdf.params;
-            let again = full.error_at(params.s, params.alpha).expect("a node");
+            let again = full
+                .error_at(params.lobe[0], params.lobe[1])
+                .expect("a node");
             assert!((again - node.error).abs() < 1e-9);
         }
     }
@@ -174,7 +177,7 @@ fn a_place_between_nodes_takes_its_own_shape() {
     assert!((error - 2.0).abs() < 1e-12);
     assert_eq!(found.error_at(1e9, 7.0), Some(5.0));
     let brdf = found.model_at(31.0, 0.3).expect("inside");
-    assert_eq!((brdf.params.s, brdf.params.alpha), (31.0, 0.3));
+    assert_eq!((brdf.params.lobe[0], brdf.params.lobe[1]), (31.0, 0.3));
     let none = Landscape {
         nodes: Vec::new(),
         s: Vec::new(),
@@ -188,8 +191,7 @@ fn the_best_is_never_above_a_fit_though_it_lies_between_the_nodes() {
     let brdf = Brdf {
         params: Params {
             // Half way between two nodes either way.
-            s: 178.0,
-            alpha: 0.28,
+            lobe: lobe_values([178.0, 0.28]),
             ..truth().params
         },
         ..truth()
@@ -197,8 +199,7 @@ fn the_best_is_never_above_a_fit_though_it_lies_between_the_nodes() {
     // Data that no model meets: two lobes.
     let wide = Brdf {
         params: Params {
-            s: 12.0,
-            alpha: 0.9,
+            lobe: lobe_values([12.0, 0.9]),
             ..brdf.params
         },
         ..brdf

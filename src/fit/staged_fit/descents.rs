@@ -1,6 +1,7 @@
 //! Descents of the stages: side by side on a sample, alone on all cells.
 
 use super::super::descent::{self, Rules};
+use super::super::linear::{Matrix, Vector};
 use super::super::objective::{AmplitudeRule, Candidate, Objective};
 use super::super::outcome::{FitProgress, Watch};
 use super::super::problem::Problem;
@@ -8,7 +9,6 @@ use super::super::symmetric_cells::SymmetricCells;
 use super::super::threads::Threads;
 use super::StagedFit;
 use crate::brdf::Brdf;
-use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use std::sync::{Mutex, PoisonError};
 
@@ -85,10 +85,10 @@ impl<'a> StagedFit<'a, '_> {
     /// are candidates with the approximate Hessian, if known.
     pub(super) fn descend_side_by_side(
         &mut self,
-        starts: impl Iterator<Item = (Candidate, Option<DMat3>)>,
+        starts: impl Iterator<Item = (Candidate, Option<Matrix>)>,
         refinement: &Refinement,
         rule: AmplitudeRule,
-    ) -> Vec<(Candidate, Option<DMat3>)> {
+    ) -> Vec<(Candidate, Option<Matrix>)> {
         let starts: Vec<_> = starts.collect();
         let rules = self.rules(refinement);
         let (space, options) = (&self.space, self.options);
@@ -100,24 +100,22 @@ impl<'a> StagedFit<'a, '_> {
         let mut ends: Vec<_> = starts
             .par_iter()
             .map(|(start, curvature)| {
-                let fresnel = space.variant.fresnel;
                 let mut objective = Objective::new(
                     refinement.cells,
-                    fresnel,
+                    space.variant,
                     rule,
                     Some(start),
                     refinement.threads,
                 );
-                let mut evaluate = |p: DVec3| {
-                    let value = objective.value(p.to_array());
+                let mut evaluate = |p: Vector| {
+                    let value = objective.value(p);
                     let best = objective.best?;
-                    let brdf = || space.variant.with(space.params(&best, options));
+                    let brdf = || space.brdf(&best, options);
                     // What another thread left is whole: a watcher that panics ends them all.
                     let mut watched = watched.lock().unwrap_or_else(PoisonError::into_inner);
                     watched.report(best.error, brdf).then_some(value)
                 };
-                let from = DVec3::from_array(start.point);
-                let end = descent::descend(from, *curvature, &rules, &mut evaluate);
+                let end = descent::descend(start.point, *curvature, &rules, &mut evaluate);
                 let curvature = end.and_then(|end| end.curvature);
                 let best = objective.best.unwrap_or(*start);
                 (best, curvature, objective.evaluations)
@@ -151,7 +149,7 @@ impl<'a> StagedFit<'a, '_> {
     pub(super) fn descend_all(
         &mut self,
         start: &Candidate,
-        curvature: Option<DMat3>,
+        curvature: Option<Matrix>,
         rule: AmplitudeRule,
     ) -> Candidate {
         let refinement = if self.is_last() {
@@ -161,20 +159,15 @@ impl<'a> StagedFit<'a, '_> {
         };
         let rules = self.rules(&refinement);
         let mut objective = self.objective(refinement.cells, rule, Some(start));
-        let mut evaluate = |p: DVec3| {
-            let value = objective.value(p.to_array());
+        let mut evaluate = |p: Vector| {
+            let value = objective.value(p);
             self.evaluations += 1;
             let best = objective.best?;
             self.report_progress(&best, best.error, true)
                 .is_continue()
                 .then_some(value)
         };
-        let end = descent::descend(
-            DVec3::from_array(start.point),
-            curvature,
-            &rules,
-            &mut evaluate,
-        );
+        let end = descent::descend(start.point, curvature, &rules, &mut evaluate);
         if end.is_some_and(|end| !end.converged) {
             self.exhausted = true;
         }
@@ -196,6 +189,6 @@ impl<'a> StagedFit<'a, '_> {
         rule: AmplitudeRule,
         near: Option<&Candidate>,
     ) -> Objective<'a> {
-        Objective::new(cells, self.space.variant.fresnel, rule, near, Threads::Many)
+        Objective::new(cells, self.space.variant, rule, near, Threads::Many)
     }
 }

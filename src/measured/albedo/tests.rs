@@ -1,4 +1,5 @@
 use super::*;
+use crate::brdf::params::lobe_values;
 use crate::brdf::{self, Brdf, Fresnel, Model, Params};
 use crate::measured::{Grid, lookup::LOOKUPS};
 
@@ -20,8 +21,7 @@ fn model(key: &str, fresnel: Fresnel, s: f64) -> Brdf {
         params: Params {
             rho_d: [0.0, 0.3, 0.1],
             k_s: [(s + 2.0) / (2.0 * PI), 0.0, 0.5],
-            s,
-            alpha: 0.5,
+            lobe: lobe_values([s, 0.5]),
             eta: 1.5,
         },
     }
@@ -55,7 +55,7 @@ fn worst_phong(lookup: Lookup, planted: f64) -> f64 {
     let mut worst: f64 = 0.0;
     for s in [3.0, 30.0, 300.0, 1000.0] {
         let mut phong = model("phong", Fresnel::None, s);
-        phong.params.s *= 1.0 + planted;
+        phong.params.lobe[0] *= 1.0 + planted;
         let found = albedo(&of_model(&phong), lookup, 0.0).rgb[0];
         // k_s is (s + 2)/2π.
         worst = worst.max(off(found, 1.0));

@@ -1,4 +1,6 @@
 use super::*;
+use crate::brdf::COMBINED;
+use crate::brdf::params::lobe_values;
 use crate::brdf::{Fresnel, Model, Params};
 use crate::geom::Cosines;
 use crate::measured::Grid;
@@ -130,19 +132,18 @@ fn fits(table: &Table) -> Vec<(f64, f64)> {
     for alpha in (0..=10).map(|k| f64::from(k) / 10.0) {
         for s in (0..14).map(|k| 4.0 * 1.45_f64.powi(k)) {
             let params = Params {
-                alpha,
-                s,
-                ..Params::default()
+                lobe: lobe_values([s, alpha]),
+                ..COMBINED.default_params()
             };
             let lobe: Vec<f64> = picked
                 .iter()
-                .map(|(c, ..)| (combined.lobe)(&params, c))
+                .map(|(c, ..)| (combined.lobe)(&params.lobe, c))
                 .collect();
             for eta in [1.1, 1.2, 1.3, 1.45, 1.7, 2.4] {
                 let shape: Vec<f64> = lobe
                     .iter()
                     .zip(&picked)
-                    .map(|(lobe, (c, ..))| lobe * Fresnel::Exact.reflectance(c.wi_dot_wh, eta))
+                    .map(|(lobe, (c, ..))| lobe * Fresnel::Exact.reflectance(c.wi_wh.cos, eta))
                     .collect();
                 fits.push((l1_error(&picked, &shape), alpha));
             }

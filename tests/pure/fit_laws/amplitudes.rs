@@ -13,14 +13,14 @@ use std::f64::consts::PI;
 fn gain_nearby(cells: &[Counted], best: &Brdf) -> f64 {
     let before = reference::errors(cells, best).total;
     let mut gain: f64 = 0.0;
-    for id in [ParamId::RhoD, ParamId::KS] {
+    for id in [ParamId::RHO_D, ParamId::K_S] {
         for channel in 0..3 {
-            let value = best.params.get(id)[channel];
+            let value = best.get(id)[channel];
             let steps = [-1e-3, -1e-5, 1e-5, 1e-3].map(|step| value * (1.0 + step));
             // A zero must have its reason too.
             for changed in steps.into_iter().chain([0.0, value + 1e-4]) {
                 let mut other = *best;
-                other.params.get_mut(id)[channel] = changed;
+                other.get_mut(id)[channel] = changed;
                 gain = gain.max(1.0 - reference::errors(cells, &other).total / before);
             }
         }
@@ -53,8 +53,8 @@ fn no_change_of_an_amplitude_lowers_the_error() {
         let best = problem(&thin).with_best_amplitudes(&b);
         assert_eq!((best.model, best.fresnel), (b.model, b.fresnel));
         assert_eq!(
-            (best.params.s, best.params.alpha, best.params.eta),
-            (b.params.s, b.params.alpha, b.params.eta)
+            (best.params.lobe[0], best.params.lobe[1], best.params.eta),
+            (b.params.lobe[0], b.params.lobe[1], b.params.eta)
         );
         let cells = reference::counted(&thin, &b, Weight::Cosine, NO_LIMIT);
         let gain = gain_nearby(&cells, &best);
@@ -125,7 +125,7 @@ fn on_small_problems_stage_1_is_the_best_of_all() {
         // Now and then a lobe that does not fit at all.
         let mut b = truth;
         if seed % 3 == 0 {
-            b.params.s = 1e4 / s;
+            b.params.lobe[0] = 1e4 / s;
             b.fresnel = Fresnel::None;
         }
         let found = problem(&small).with_best_amplitudes(&b);

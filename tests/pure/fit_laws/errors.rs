@@ -108,7 +108,7 @@ fn a_perfect_model_has_no_error() {
     let problem = problem(&table_of(&b, 4));
     assert!(problem.errors(&b).total < 1e-5, "{:?}", problem.errors(&b));
     let mut planted = b;
-    planted.params.s *= 1.001;
+    planted.params.lobe[0] *= 1.001;
     assert!(problem.errors(&planted).total > 1e-5);
 }
 

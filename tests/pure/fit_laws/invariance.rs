@@ -1,6 +1,8 @@
 //! What must not change the result, and what must not be changed by the fit.
 
-use super::making::{bounds, distance, fit, map, problem, sample, thinned, variant, watched};
+use super::making::{
+    bounds, distance, fit, map, numbers, problem, sample, thinned, variant, watched,
+};
 use grazing::brdf::{Brdf, Fresnel, ParamId};
 use grazing::fit::{
     self, Concern, EndReason, FitOptions, Outcome, Partial, Stage, StageSet, Variant,
@@ -28,7 +30,7 @@ fn the_number_of_threads_does_not_matter() {
     assert_eq!(one, two);
     assert_eq!(one, five);
     let mut planted = one.clone();
-    planted.brdf.params.s = planted.brdf.params.s.next_up();
+    planted.brdf.params.lobe[0] = planted.brdf.params.lobe[0].next_up();
     assert_ne!(one, planted);
 }
 
@@ -97,12 +99,11 @@ fn held_parameters_stay() {
     let free = fit(&problem, combined(), &FitOptions::default());
     for held in [
         Partial {
-            s: Some(33.0),
-            eta: Some(1.7),
+            shared: numbers(&[("s", 33.0), ("eta", 1.7)]),
             ..Partial::default()
         },
         Partial {
-            alpha: Some(0.125),
+            shared: numbers(&[("alpha", 0.125)]),
             k_s: Some([1.0, 2.0, 3.0]),
             ..Partial::default()
         },
@@ -111,19 +112,17 @@ fn held_parameters_stay() {
             ..Partial::default()
         },
         Partial {
+            shared: numbers(&[("s", 20.0), ("alpha", 0.5), ("eta", 1.5)]),
             rho_d: Some([0.1, 0.2, 0.3]),
             k_s: Some([1.0, 2.0, 3.0]),
-            s: Some(20.0),
-            alpha: Some(0.5),
-            eta: Some(1.5),
         },
     ] {
         let options = FitOptions {
-            held,
+            held: held.clone(),
             ..FitOptions::default()
         };
         let (outcome, said) = watched(&problem, combined(), &options);
-        let keeps = |brdf: &Brdf| held.over(brdf.params) == brdf.params;
+        let keeps = |brdf: &Brdf| held.over(*brdf) == *brdf;
         assert!(keeps(&outcome.brdf), "{held:?} {outcome:?}");
         for report in &outcome.stages {
             assert!(keeps(&report.start) && keeps(&report.end), "{report:?}");
@@ -143,9 +142,9 @@ fn bounds_are_kept_and_named_where_they_stop_the_fit() {
     // Every bound cuts off where the free fit went.
     let p = free.brdf.params;
     let set = [
-        (ParamId::RhoD, (0.0, 0.5 * p.rho_d[0])),
-        (ParamId::S, (1.5 * p.s, 3.0 * p.s)),
-        (ParamId::Eta, (p.eta + 0.3, p.eta + 0.5)),
+        (ParamId::RHO_D, (0.0, 0.5 * p.rho_d[0])),
+        (ParamId("s"), (1.5 * p.lobe[0], 3.0 * p.lobe[0])),
+        (ParamId::ETA, (p.eta + 0.3, p.eta + 0.5)),
     ];
     let options = FitOptions {
         bounds: bounds(&set),
@@ -154,7 +153,7 @@ fn bounds_are_kept_and_named_where_they_stop_the_fit() {
     let keeps = |brdf: &Brdf| {
         set.iter().all(|(id, (low, high))| {
             let inside = |x: &f64| (*low..=*high).contains(x);
-            brdf.params.get(*id).iter().all(inside)
+            brdf.get(*id).iter().all(inside)
         })
     };
     let (outcome, said) = watched(&problem, combined(), &options);
@@ -172,9 +171,9 @@ fn bounds_are_kept_and_named_where_they_stop_the_fit() {
             _ => None,
         })
         .collect();
-    assert!(stopped.contains(&ParamId::RhoD), "{outcome:?}");
+    assert!(stopped.contains(&ParamId::RHO_D), "{outcome:?}");
     assert!(
-        stopped.contains(&ParamId::S) || stopped.contains(&ParamId::Eta),
+        stopped.contains(&ParamId("s")) || stopped.contains(&ParamId::ETA),
         "{outcome:?}"
     );
     assert!(outcome.errors.total > free.errors.total);

@@ -1,10 +1,12 @@
 //! Tables, models and fits for the tests.
 
 pub use crate::common::tables::table;
-use grazing::brdf::{Brdf, Fresnel, Model, ParamId, Params, PerParam};
+use grazing::brdf::params::lobe_values;
+use grazing::brdf::{BLINN_PHONG, Brdf, Fresnel, Model, ParamId, Params};
 use grazing::fit::options::{Bounds, NO_LIMIT};
 use grazing::fit::{self, FitOptions, FitProgress, Outcome, Problem, Variant, Weight};
 use grazing::measured::{Grid, SAMPLES, SyntheticMaterial, Table};
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::sync::OnceLock;
 
@@ -25,8 +27,7 @@ pub fn brdf(key: &str, fresnel: Fresnel, s: f64, alpha: f64, eta: f64) -> Brdf {
     variant(key, fresnel).with(Params {
         rho_d: [0.3, 0.2, 0.05],
         k_s: [30.0, 40.0, 35.0],
-        s,
-        alpha,
+        lobe: lobe_values([s, alpha]),
         eta,
     })
 }
@@ -110,24 +111,28 @@ pub fn watched(
 }
 
 /// Bounds by parameter.
-pub fn bounds(of: &[(ParamId, Bounds)]) -> PerParam<Option<Bounds>> {
-    PerParam::from_rows(|row| {
-        let set = of.iter().find(|(id, _)| *id == row.id);
-        set.map(|(_, bounds)| *bounds)
-    })
+pub fn bounds(of: &[(ParamId, Bounds)]) -> BTreeMap<ParamId, Bounds> {
+    of.iter().copied().collect()
+}
+
+/// Values by the keys of their parameters.
+pub fn numbers(of: &[(&'static str, f64)]) -> BTreeMap<ParamId, f64> {
+    let of = of.iter();
+    of.map(|(key, value)| (ParamId(key), *value)).collect()
+}
+
+/// Exponent of a model that gives the same highlight at normal incidence as Phong's 1.
+pub fn exponent_ratio(model: &Model) -> f64 {
+    if model == &BLINN_PHONG { 4.0 } else { 1.0 }
 }
 
 /// The largest relative distance of the parameters that count; of α, which may be 0, the distance itself.
 pub fn distance(found: &Brdf, wanted: &Brdf) -> f64 {
-    let rows = wanted.model.params.iter().filter(|row| wanted.uses(row.id));
+    let rows = wanted.used();
     rows.flat_map(|row| {
-        let pairs = found
-            .params
-            .get(row.id)
-            .iter()
-            .zip(wanted.params.get(row.id));
+        let pairs = found.get(row.id).iter().zip(wanted.get(row.id));
         pairs.map(move |(found, wanted)| match row.id {
-            ParamId::Alpha => (found - wanted).abs(),
+            ParamId("alpha") => (found - wanted).abs(),
             _ => (found - wanted).abs() / wanted.abs().max(1e-12),
         })
     })

@@ -1,7 +1,8 @@
 //! Data made from a model give its parameters back.
 
-use super::making::{bell, distance, fit, kept, problem, table, table_of, variant};
+use super::making::{bell, distance, exponent_ratio, fit, kept, problem, table, table_of, variant};
 use grazing::brdf::fresnel::FRESNELS;
+use grazing::brdf::params::lobe_values;
 use grazing::brdf::{Brdf, Fresnel, ParamId, Params};
 use grazing::fit::FitOptions;
 use grazing::measured::Grid;
@@ -34,8 +35,7 @@ fn truth(log_s: std::ops::Range<f64>) -> impl Strategy<Value = Brdf> {
             variant.with(Params {
                 rho_d: [0.4 * r, 0.4 * g, 0.4 * b],
                 k_s: [u, v, w].map(|k| 0.3 * k * height),
-                s: s * variant.model.exponent_ratio,
-                alpha,
+                lobe: lobe_values([s * exponent_ratio(variant.model), alpha]),
                 eta,
             })
         },
@@ -79,8 +79,7 @@ fn needles_and_matte_lobes_come_back_too() {
         let truth = variant(model, fresnel).with(Params {
             rho_d: [0.2, 0.1, 0.05],
             k_s: [0.3, 0.4, 0.5].map(|k| k * (s + 2.0)),
-            s,
-            alpha,
+            lobe: lobe_values([s, alpha]),
             eta: 1.6,
         });
         let outcome = fit(
@@ -98,23 +97,22 @@ fn another_material_is_not_mistaken_for_it() {
     let truth = variant("combined", Fresnel::Exact).with(Params {
         rho_d: [0.2; 3],
         k_s: [90.0; 3],
-        s: 60.0,
-        alpha: 0.4,
+        lobe: lobe_values([60.0, 0.4]),
         eta: 1.5,
     });
     let mut planted = truth;
     for (id, factor) in [
-        (ParamId::RhoD, 1.01),
-        (ParamId::KS, 0.99),
-        (ParamId::S, 1.01),
-        (ParamId::Eta, 1.01),
+        (ParamId::RHO_D, 1.01),
+        (ParamId::K_S, 0.99),
+        (ParamId("s"), 1.01),
+        (ParamId::ETA, 1.01),
     ] {
         planted.params = truth.params;
-        planted.params.get_mut(id)[0] *= factor;
+        planted.get_mut(id)[0] *= factor;
         assert!(distance(&planted, &truth) > 0.009);
     }
     planted.params = truth.params;
-    planted.params.alpha += 0.011;
+    planted.params.lobe[1] += 0.011;
     assert!(distance(&planted, &truth) > 0.01);
     // Thinning leaves one cell in eight.
     let count = (0..Grid::FOLDED.len()).filter(|index| kept(*index, 8));
@@ -127,8 +125,7 @@ fn a_lobe_with_hardly_any_exponent() {
     let truth = variant("combined", Fresnel::Exact).with(Params {
         rho_d: [0.1, 0.05, 0.02],
         k_s: [2.0, 3.0, 4.0],
-        s: 0.03,
-        alpha: 0.3,
+        lobe: lobe_values([0.03, 0.3]),
         eta: 1.6,
     });
     let problem = problem(&table_of(&truth, 8));
@@ -138,7 +135,7 @@ fn a_lobe_with_hardly_any_exponent() {
     assert!(found < 1e-3, "{outcome:?}");
     // Planted: a bound of 0.1, which matte materials pass.
     let mut options = FitOptions::default();
-    options.bounds.s = Some((0.1, 1e5));
+    options.bounds.insert(ParamId("s"), (0.1, 1e5));
     let bounded = fit(&problem, (&truth).into(), &options);
     let bounded = bounded.errors.total;
     assert!(bounded > 3.0 * found, "{bounded} {found}");

@@ -1,8 +1,7 @@
 //! What holds from stage to stage and from variant to variant.
 
-use super::making::{fit, problem, sample, thinned, variant, watched};
+use super::making::{fit, numbers, problem, sample, thinned, variant, watched};
 use grazing::brdf::Fresnel;
-use grazing::fit::options::default_bounds;
 use grazing::fit::{
     EndReason, FitOptions, Outcome, Partial, Problem, STAGES, Stage, StageSet, Variant, fit_all,
 };
@@ -36,20 +35,20 @@ fn broken(problem: &Problem, outcome: &Outcome) -> Vec<String> {
                 (found / said - 1.0).abs() < ROUNDING,
                 format!("stage {n} says {said}, it is {found}"),
             );
-            for row in brdf.model.params.iter().filter(|row| brdf.uses(row.id)) {
-                let (low, high) = default_bounds(row);
+            for row in brdf.used() {
+                let (low, high) = row.bounds;
                 let inside = |x: &f64| (low..=high).contains(x);
                 law(
-                    brdf.params.get(row.id).iter().all(inside),
-                    format!("stage {n}: {} is out of bounds", row.key),
+                    brdf.get(row.id).iter().all(inside),
+                    format!("stage {n}: {} is out of bounds", row.key()),
                 );
             }
         }
-        for row in report.start.model.params {
-            let same = report.start.params.get(row.id) == report.end.params.get(row.id);
+        for row in report.start.model.rows() {
+            let same = report.start.get(row.id) == report.end.get(row.id);
             law(
                 same || report.stage.moves(row.id),
-                format!("stage {n} moves {}", row.key),
+                format!("stage {n} moves {}", row.key()),
             );
         }
         law(report.evaluations > 0, format!("stage {n} tries nothing"));
@@ -131,9 +130,12 @@ fn all_six_keep_the_laws() {
         "stages [Amplitudes, ShapeAndSpecular",
     );
     planted(&|o| o.stages[2].start_error *= 0.1, "E rises in stage 3");
-    planted(&|o| o.brdf.params.s *= 1.01, "not where it ended");
+    planted(&|o| o.brdf.params.lobe[0] *= 1.01, "not where it ended");
     planted(&|o| o.errors.total *= 1.01, "errors of another model");
-    planted(&|o| o.stages[0].start.params.s = 2e5, "s is out of bounds");
+    planted(
+        &|o| o.stages[0].start.params.lobe[0] = 2e5,
+        "s is out of bounds",
+    );
     let mut worse = outcomes.clone();
     worse[5].errors.total = worse[3].errors.total.min(worse[4].errors.total) * 1.00001;
     assert!(combined_to_others(&worse, Fresnel::Exact) > 1.0 + ROUNDING);
@@ -172,9 +174,7 @@ fn only_the_stages_asked_for_are_run() {
         let options = FitOptions {
             stages,
             start: Partial {
-                s: Some(300.0),
-                alpha: Some(0.2),
-                eta: Some(2.0),
+                shared: numbers(&[("s", 300.0), ("alpha", 0.2), ("eta", 2.0)]),
                 ..Partial::default()
             },
             ..FitOptions::default()
@@ -194,7 +194,7 @@ fn only_the_stages_asked_for_are_run() {
         let first = &outcome.stages[0];
         if first.stage != Stage::Joint {
             let p = first.start.params;
-            assert_eq!((p.s, p.alpha, p.eta), (300.0, 0.2, 2.0));
+            assert_eq!((p.lobe[0], p.lobe[1], p.eta), (300.0, 0.2, 2.0));
         }
         if first.stage == Stage::Amplitudes {
             let best = problem.with_best_amplitudes(&first.start);
@@ -210,9 +210,7 @@ fn the_start_does_not_decide_the_result() {
     let combined = variant("combined", Fresnel::Exact);
     let from = |s, alpha, eta| {
         let start = Partial {
-            s: Some(s),
-            alpha: Some(alpha),
-            eta: Some(eta),
+            shared: numbers(&[("s", s), ("alpha", alpha), ("eta", eta)]),
             ..Partial::default()
         };
         let options = FitOptions {

@@ -5,7 +5,7 @@ use crate::app::msg::library::LibraryMsg;
 use crate::app::state::State;
 use crate::app::state::library::{Examined, FileKind, Folder, FolderFile, PendingTarget};
 use crate::app::widgets::formula::{number, percent};
-use crate::brdf::ParamId;
+use crate::brdf::params::Scale;
 use crate::figure::text::{RichText, elided};
 use crate::files::fits::FitRecord;
 use egui::{Color32, FontId, Rect, Sense, pos2, vec2};
@@ -187,13 +187,13 @@ fn width(examined: &Examined) -> String {
 }
 
 fn fit_text(fit: &FitRecord) -> String {
-    let mut text = format!(
-        "E {}  s {}",
-        percent(fit.errors.total),
-        number(fit.brdf.params.s)
-    );
-    if fit.brdf.uses(ParamId::Alpha) {
-        text += &format!("  α {:.2}", fit.brdf.params.alpha);
+    let mut text = format!("E {}", percent(fit.errors.total));
+    for (row, value) in fit.brdf.model.params.iter().zip(fit.brdf.params.lobe) {
+        let value = match row.scale {
+            Scale::Linear => format!("{value:.2}"),
+            Scale::Log { .. } => number(value),
+        };
+        text += &format!("  {} {value}", row.symbol);
     }
     RichText::parse(&text).plain()
 }

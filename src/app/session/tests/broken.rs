@@ -174,7 +174,7 @@ fn hand_written_sessions_may_leave_almost_all_out() {
         .map(|opened| state.materials[&opened.id].name.as_str())
         .collect();
     assert_eq!(names, ["a", "material 2"]);
-    assert_eq!(state.scene.opened[1].brdf.params.s, 7.0);
+    assert_eq!(state.scene.opened[1].brdf.params.lobe[0], 7.0);
     assert_eq!(
         *state.scene.views.get::<LobeSettings>(),
         LobeSettings::default()

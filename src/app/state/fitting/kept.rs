@@ -78,7 +78,7 @@ impl From<&FitRecord> for KeptFit {
             setup: Setup {
                 weight: record.weight,
                 limit: record.limit_deg.to_radians(),
-                options: record.options,
+                options: record.options.clone(),
             },
             seconds: None,
             trace: Vec::new(),

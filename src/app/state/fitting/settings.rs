@@ -1,9 +1,9 @@
 //! Settings of the next fit, and the setup that is kept with a fit.
 
-use crate::brdf::params::ALL;
-use crate::brdf::{Brdf, ParamId, PerParam};
+use crate::brdf::{Brdf, Param, ParamId, params};
 use crate::fit::options::{Bounds, NO_LIMIT};
-use crate::fit::{FitOptions, Partial, StageSet, Weight};
+use crate::fit::{FitOptions, StageSet, Weight};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Settings of the next fit, as the panel says them.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,10 +14,10 @@ pub struct FitSettings {
     pub limit: f64,
     /// Stages that are run.
     pub stages: StageSet,
-    /// Whether a parameter keeps the value of its slider.
-    pub held: PerParam<bool>,
-    /// Bounds that are not the default ones; `None` for the others.
-    pub bounds: PerParam<Option<Bounds>>,
+    /// Parameters that keep the value of their sliders.
+    pub held: BTreeSet<ParamId>,
+    /// Bounds that are not the default ones.
+    pub bounds: BTreeMap<ParamId, Bounds>,
     /// Whether the fit begins at the sliders instead of at what the data say.
     pub from_sliders: bool,
 }
@@ -28,8 +28,8 @@ impl Default for FitSettings {
             weight: Weight::default(),
             limit: NO_LIMIT,
             stages: StageSet::ALL,
-            held: PerParam::default(),
-            bounds: PerParam::default(),
+            held: BTreeSet::new(),
+            bounds: BTreeMap::new(),
             from_sliders: false,
         }
     }
@@ -40,14 +40,14 @@ impl FitSettings {
     pub fn setup(&self, brdf: &Brdf) -> Setup {
         let mut options = FitOptions {
             stages: self.stages,
-            bounds: self.bounds,
+            bounds: self.bounds.clone(),
             ..FitOptions::default()
         };
-        for row in &ALL {
-            if self.held[row.id] {
-                options.held.set(row.id, &brdf.params);
+        for row in brdf.model.rows() {
+            if self.held.contains(&row.id) {
+                options.held.set(row.id, brdf);
             } else if self.from_sliders && !row.id.is_color() {
-                options.start.set(row.id, &brdf.params);
+                options.start.set(row.id, brdf);
             }
         }
         Setup {
@@ -57,20 +57,34 @@ impl FitSettings {
         }
     }
 
+    /// Holds a parameter at its slider, or frees it.
+    pub fn hold(&mut self, id: ParamId, held: bool) {
+        if held {
+            self.held.insert(id);
+        } else {
+            self.held.remove(&id);
+        }
+    }
+
     /// Why there is nothing to fit, in words.
     pub fn blocked(&self, brdf: &Brdf) -> Option<&'static str> {
         if self.stages == StageSet::NONE {
             return Some("Tick at least one stage.");
         }
-        let free = |id: ParamId| brdf.uses(id) && !self.held[id];
-        let mut stages = self.stages.iter();
-        let moved = stages.any(|stage| ALL.iter().any(|row| stage.moves(row.id) && free(row.id)));
+        let mut free = brdf.used().filter(|row| !self.held.contains(&row.id));
+        let moved = free.any(|row| self.stages.iter().any(|stage| stage.moves(row.id)));
         (!moved).then_some("Every parameter that these stages move is held.")
     }
 }
 
+/// Bounds that can be chosen for a parameter at most, (smallest, largest).
+pub fn widest_bounds(row: &Param) -> Bounds {
+    let least = row.bounds.0.min(row.range.0).max(row.domain.0);
+    (least, row.domain.1)
+}
+
 /// Settings that a fit was made with.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Setup {
     /// Weight of the cells in E.
     pub weight: Weight,
@@ -84,15 +98,10 @@ impl Setup {
     /// Whether another setup asks for the same. Where the sliders stood when a fit began does not count, for the fit
     /// itself moves them; that it began there does.
     pub fn asks_the_same(&self, other: &Self) -> bool {
-        let began_at_data = |setup: &Self| setup.options.start == Partial::default();
-        let with_start_of = |setup: &Self| Self {
-            options: FitOptions {
-                start: setup.options.start,
-                ..self.options
-            },
-            ..*self
-        };
-        began_at_data(self) == began_at_data(other) && with_start_of(other) == *other
+        let began_at_data = |setup: &Self| setup.options.start.is_empty();
+        let mut with_start_of_other = self.clone();
+        with_start_of_other.options.start = other.options.start.clone();
+        began_at_data(self) == began_at_data(other) && with_start_of_other == *other
     }
 
     /// Settings in words, for hovering.
@@ -105,18 +114,17 @@ impl Setup {
         let stages = self.options.stages.iter();
         let stages: Vec<String> = stages.map(|stage| stage.number().to_string()).collect();
         text += &format!(", stages {}", stages.join(" "));
-        let held: Vec<&str> = ALL
-            .iter()
+        let held: Vec<&str> = params::all()
             .filter(|row| self.options.held.has(row.id))
-            .map(|row| row.key)
+            .map(Param::key)
             .collect();
         if !held.is_empty() {
             text += &format!(", held {}", held.join(" "));
         }
-        if self.options.start != Partial::default() {
+        if !self.options.start.is_empty() {
             text += ", from the sliders";
         }
-        if self.options.bounds != PerParam::default() {
+        if !self.options.bounds.is_empty() {
             text += ", own bounds";
         }
         text
@@ -126,28 +134,27 @@ impl Setup {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::brdf::COMBINED;
     use crate::brdf::Fresnel;
-    use crate::brdf::{MODELS, Params};
     use crate::fit::Stage;
 
     fn brdf() -> Brdf {
-        Brdf {
-            model: MODELS[2],
-            fresnel: Fresnel::Exact,
-            params: Params::default(),
-        }
+        Brdf::new(&COMBINED, Fresnel::Exact)
     }
 
     #[test]
     fn held_parameters_keep_their_sliders_values() {
         let mut settings = FitSettings::default();
-        settings.held.s = true;
+        settings.held.insert(ParamId("s"));
         settings.from_sliders = true;
         let options = settings.setup(&brdf()).options;
-        assert_eq!(options.held.s, Some(brdf().params.s));
-        assert_eq!(options.held.alpha, None);
-        assert_eq!(options.start.s, None);
-        assert_eq!(options.start.eta, Some(brdf().params.eta));
+        assert_eq!(
+            options.held.number(ParamId("s")),
+            Some(brdf().params.lobe[0])
+        );
+        assert_eq!(options.held.number(ParamId("alpha")), None);
+        assert_eq!(options.start.number(ParamId("s")), None);
+        assert_eq!(options.start.number(ParamId::ETA), Some(brdf().params.eta));
         assert_eq!(options.start.k_s, None);
     }
 
@@ -156,14 +163,14 @@ mod tests {
         let settings = FitSettings::default();
         let made = settings.setup(&brdf());
         let mut moved = brdf();
-        moved.params.s *= 2.0;
+        moved.params.lobe[0] *= 2.0;
         assert!(made.asks_the_same(&settings.setup(&moved)));
         let changes: [fn(&mut FitSettings); 6] = [
             |s| s.weight = Weight::Cells,
             |s| s.limit = 1.0,
             |s| s.stages.joint = false,
-            |s| s.held.alpha = true,
-            |s| s.bounds.s = Some((1.0, 2.0)),
+            |s| s.hold(ParamId("alpha"), true),
+            |s| _ = s.bounds.insert(ParamId("s"), (1.0, 2.0)),
             |s| s.from_sliders = true,
         ];
         for (k, change) in changes.into_iter().enumerate() {
@@ -185,7 +192,8 @@ mod tests {
         let mut settings = FitSettings::default();
         assert_eq!(settings.blocked(&brdf()), None);
         settings.stages = StageSet::from_iter([Stage::Shape]);
-        settings.held = PerParam::from_rows(|row| !row.id.is_color());
+        let rows = brdf().model.rows().filter(|row| !row.id.is_color());
+        settings.held = rows.map(|row| row.id).collect();
         assert!(settings.blocked(&brdf()).is_some());
         settings.stages.amplitudes = true;
         assert_eq!(settings.blocked(&brdf()), None);

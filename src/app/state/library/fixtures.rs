@@ -1,5 +1,7 @@
 //! Made-up records of fits, for tests.
 
+use crate::brdf::COMBINED;
+use crate::brdf::params::lobe_values;
 use crate::brdf::{Brdf, Fresnel, MODELS, Params};
 use crate::files::fits::FitRecord;
 use crate::fit::{EndReason, Errors, FitOptions, Weight};
@@ -17,8 +19,8 @@ pub(crate) fn record(s: f64, error: f64) -> FitRecord {
             model: MODELS[2],
             fresnel: Fresnel::Exact,
             params: Params {
-                s,
-                ..Params::default()
+                lobe: lobe_values([s, 0.5]),
+                ..COMBINED.default_params()
             },
         },
         errors: Errors {

@@ -96,11 +96,8 @@ impl Library {
         match self.sort.key {
             SortKey::Name => None,
             SortKey::Error => Some(best()?.errors.total),
-            SortKey::Alpha => {
-                let brdf = best()?.brdf;
-                brdf.uses(ParamId::Alpha).then_some(brdf.params.alpha)
-            }
-            SortKey::Exponent => Some(best()?.brdf.params.s),
+            SortKey::Alpha => best()?.brdf.number(ParamId("alpha")),
+            SortKey::Exponent => best()?.brdf.number(ParamId("s")),
             // What has no highlight has a wide one.
             SortKey::Width => Some(file.examined()?.half_width.unwrap_or(f64::INFINITY)),
         }

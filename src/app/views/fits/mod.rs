@@ -14,6 +14,7 @@ use crate::app::state::subjects::look_beside;
 use crate::app::widgets::formula::{hundredths, number};
 use crate::app::widgets::paint::rich_text_job;
 use crate::app::widgets::{empty, fit_details, paint};
+use crate::brdf::ParamId;
 use crate::figure::drawing::Drawing;
 use crate::figure::palette::{Palette, Role};
 use crate::figure::text::RichText;
@@ -227,18 +228,16 @@ impl FitRow<'_> {
     fn cells(&self) -> [String; 6] {
         let number_or_dash = |value: Option<f64>| value.map_or("–".into(), number);
         let hundredths = |e: f64| hundredths(e);
-        let used = |id, value: f64| {
-            let used = self.brdf.is_some_and(|brdf| brdf.uses(id));
-            number_or_dash(used.then_some(value))
+        let used = |id| {
+            let brdf = self.brdf.filter(|brdf| brdf.uses(id));
+            number_or_dash(brdf.and_then(|brdf| brdf.number(id)))
         };
-        let params = self.brdf.map(|brdf| brdf.params);
-        let of = |get: fn(&crate::brdf::Params) -> f64| params.as_ref().map_or(f64::NAN, get);
         [
             self.error.map_or("–".into(), hundredths),
             self.grazing.map_or("–".into(), hundredths),
-            used(crate::brdf::ParamId::S, of(|p| p.s)),
-            used(crate::brdf::ParamId::Alpha, of(|p| p.alpha)),
-            used(crate::brdf::ParamId::Eta, of(|p| p.eta)),
+            used(ParamId("s")),
+            used(ParamId("alpha")),
+            used(ParamId::ETA),
             self.seconds
                 .map_or("–".into(), |seconds| format!("{seconds:.1}")),
         ]

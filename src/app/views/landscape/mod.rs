@@ -9,7 +9,7 @@ use crate::app::msg::Msg;
 use crate::app::msg::cache::{again, request, stop};
 use crate::app::state::State;
 use crate::app::views::landscape::settings::LandscapeSettings;
-use crate::app::views::landscape::work::{LandscapeQuery, path, place};
+use crate::app::views::landscape::work::{LandscapeQuery, path};
 use crate::app::widgets::formula::number;
 use crate::app::widgets::heat::{HeatOnScreen, heat_ui};
 use crate::app::widgets::paint::plain;
@@ -18,7 +18,7 @@ use crate::brdf::{Brdf, Fresnel};
 use crate::export::fit_output::terrain;
 use crate::figure::heatmap::HeatView;
 use crate::figure::landscape::{LandscapeSpec, Terrain};
-use crate::fit::landscape::{Eta, Landscape};
+use crate::fit::landscape::{Eta, Landscape, place};
 
 /// Draws the tile.
 pub fn landscape_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {

@@ -1,11 +1,12 @@
 //! The error landscape in a figure, with the weight, the limit and the way of the fit.
 
 use crate::app::views::landscape::settings::LandscapeSettings;
-use crate::app::views::landscape::work::{path, place};
+use crate::app::views::landscape::work::path;
 use crate::app::views::on_paper::PaperView;
 use crate::brdf::Fresnel;
 use crate::figure::ViewSpec;
 use crate::figure::landscape::LandscapePanel;
+use crate::fit::landscape::place;
 
 /// The view in a figure.
 pub const ON_PAPER: PaperView = PaperView {

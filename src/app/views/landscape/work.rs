@@ -4,7 +4,7 @@ use crate::app::state::State;
 use crate::app::state::cache::{Query, Update, WhenNewer};
 use crate::app::state::shared_table::SharedTable;
 use crate::app::views::landscape::settings::LandscapeSettings;
-use crate::brdf::{Brdf, Fresnel};
+use crate::brdf::Fresnel;
 use crate::fit::landscape::{Eta, Landscape};
 use crate::fit::{FitProgress, Problem, ProblemError, Weight, landscape};
 use std::ops::ControlFlow;
@@ -70,12 +70,6 @@ impl Query for LandscapeQuery {
     }
 }
 
-/// Place of a model on the axes of the landscape: (s, α) of the combined model that it is or looks most like.
-pub fn place(brdf: &Brdf) -> [f64; 2] {
-    let params = brdf.with_model(landscape::model()).params;
-    [params.s, params.alpha]
-}
-
 /// Corners of a path at most.
 const MOST: usize = 400;
 
@@ -87,7 +81,9 @@ pub fn path(state: &State) -> Vec<[f64; 2]> {
     };
     let step = updates.len().div_ceil(MOST).max(1);
     let kept = updates.iter().step_by(step).chain(updates.last());
-    let mut path: Vec<[f64; 2]> = kept.map(|progress| place(&progress.brdf)).collect();
+    let mut path: Vec<[f64; 2]> = kept
+        .map(|progress| landscape::place(&progress.brdf))
+        .collect();
     path.dedup();
     path
 }

@@ -12,7 +12,7 @@ use crate::app::views::scatter::settings::{ScatterSettings, with_window};
 use crate::app::widgets::formula::{number, percent};
 use crate::app::widgets::zoom::Zoom;
 use crate::app::widgets::{empty, paint, zoom};
-use crate::brdf::{Brdf, ParamId};
+use crate::brdf::{Brdf, COMBINED};
 use crate::figure::RichText;
 use crate::figure::palette::{Palette, Role};
 use crate::figure::scatter::{ScatterDot, ScatterPlot};
@@ -121,8 +121,8 @@ fn rows(state: &State) -> Vec<ScatterRow> {
             brdf,
             dot: ScatterDot {
                 name: material.name.clone(),
-                s: brdf.params.s,
-                alpha: brdf.params.alpha,
+                s: brdf.params.lobe[0],
+                alpha: brdf.params.lobe[1],
                 fill: color.unwrap_or(series),
                 ring: Some(series),
                 shown: index == state.scene.selected,
@@ -143,8 +143,8 @@ fn rows(state: &State) -> Vec<ScatterRow> {
             brdf,
             dot: ScatterDot {
                 name: files::material_name(&file.path),
-                s: brdf.params.s,
-                alpha: brdf.params.alpha,
+                s: brdf.params.lobe[0],
+                alpha: brdf.params.lobe[1],
                 fill: color_of(state, &file.path).unwrap_or(Role::Muted),
                 ring: None,
                 shown: false,
@@ -167,7 +167,7 @@ fn best_of(material: &Material) -> Option<(Brdf, f64)> {
 
 /// Fit with an α and the smallest E.
 fn best(fits: impl Iterator<Item = (Brdf, f64)>) -> Option<(Brdf, f64)> {
-    fits.filter(|(brdf, _)| brdf.uses(ParamId::Alpha))
+    fits.filter(|(brdf, _)| brdf.model == &COMBINED)
         .min_by(|a, b| a.1.total_cmp(&b.1))
 }
 

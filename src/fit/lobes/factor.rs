@@ -1,0 +1,338 @@
+//! Kernels of lobes that are a number of the row times a function of the cosines of θi and θo: one that no parameter
+//! changes, or masking and shadowing with the lobe's roughness.
+
+use super::fresnel_rows::FresnelRows;
+use super::{LobeKernel, LobeShape, RowSlopes, angles_of, cosines_at};
+use crate::brdf::along_phi_d::{Azimuth, RowAngles, Smith};
+use crate::brdf::{LobeValues, Model};
+use crate::fit::simd::{self, Kernel, Lanes, vectors};
+use crate::fit::symmetric_cells::CellRow;
+use crate::fit::variables::{ETA_VARIABLE, VARIABLES, value, variable};
+use pulp::Simd;
+
+/// Kernel of a shape whose lobe varies along φd as a factor that no parameter changes.
+pub fn factor(shape: &LobeShape, azimuth: Azimuth) -> Box<dyn LobeKernel> {
+    match azimuth {
+        Azimuth::Constant => Box::new(Rows::new(shape, Constant)),
+        Azimuth::InverseRoot => Box::new(Rows::new(shape, InverseRoot)),
+        Azimuth::InverseProduct => Box::new(Rows::new(shape, InverseProduct)),
+        Azimuth::InverseLarger => Box::new(Rows::new(shape, InverseLarger)),
+        Azimuth::VGroove => Box::new(Rows::new(shape, VGroove)),
+    }
+}
+
+/// Kernel of a shape whose lobe varies along φd as masking and shadowing with its roughness, the first parameter.
+pub fn smith(shape: &LobeShape, smith: Smith) -> Box<dyn LobeKernel> {
+    match smith {
+        Smith::Ggx => Box::new(Rows::new(shape, Ggx)),
+        Smith::Beckmann => Box::new(Rows::new(shape, Beckmann)),
+    }
+}
+
+/// A factor of a lobe, a function of cos θi, cos θo, θh, θd and at most the lobe's first parameter.
+trait Factor: Copy + Send + Sync {
+    /// Whether the first parameter changes it.
+    const VARIES: bool;
+
+    /// Value at the cells of a vector, and its slope ∂ ln factor / ∂ ln p for the first parameter p.
+    fn at<S: Simd>(self, row: &FactorRow<S>, cos2: Lanes<S>) -> [Lanes<S>; 2];
+}
+
+/// Numbers of a row, each spread over all lanes.
+struct FactorRow<S: Simd> {
+    simd: S,
+    /// cos θi cos θo = `product[0] + product[1] c`.
+    product: [Lanes<S>; 2],
+    /// cos θi, cos θo = `middle` ∓ `half` √c.
+    middle: Lanes<S>,
+    half: Lanes<S>,
+    /// 2 cos θh / cos θd
+    groove: Lanes<S>,
+    /// cos² θi + cos² θo = `squares` − 2 cos θi cos θo
+    squares: Lanes<S>,
+    /// The first parameter.
+    p: Lanes<S>,
+}
+
+impl<S: Simd> FactorRow<S> {
+    #[inline(always)]
+    fn new(simd: S, angles: &RowAngles, p: f64) -> Self {
+        let splat = |x: f64| Lanes::splat(simd, x as f32);
+        let [along, across] = angles.product();
+        Self {
+            simd,
+            product: [splat(along), splat(-across)],
+            middle: splat(along.sqrt()),
+            half: splat(across.sqrt()),
+            groove: splat(2.0 * (angles.cos2_h / angles.cos2_d).sqrt()),
+            squares: splat(4.0 * along),
+            p: splat(p),
+        }
+    }
+
+    #[inline(always)]
+    fn splat(&self, x: f32) -> Lanes<S> {
+        Lanes::splat(self.simd, x)
+    }
+
+    /// cos θi cos θo, above 0 as the formulas divide by it.
+    #[inline(always)]
+    fn product(&self, cos2: Lanes<S>) -> Lanes<S> {
+        self.product[1]
+            .mul_add(cos2, self.product[0])
+            .max(self.splat(LEAST_PRODUCT))
+    }
+
+    /// cos θi, above 0, and cos θo, the larger of the two.
+    #[inline(always)]
+    fn cosines(&self, cos2: Lanes<S>) -> [Lanes<S>; 2] {
+        let half = self.half * cos2.sqrt();
+        [
+            (self.middle - half).max(self.splat(LEAST_COSINE)),
+            self.middle + half,
+        ]
+    }
+}
+
+/// Least cosine that a formula divides by, as in the lobes themselves.
+const LEAST_COSINE: f32 = 1e-6;
+const LEAST_PRODUCT: f32 = 1e-12;
+
+#[derive(Clone, Copy)]
+struct Constant;
+
+impl Factor for Constant {
+    const VARIES: bool = false;
+    #[inline(always)]
+    fn at<S: Simd>(self, row: &FactorRow<S>, _: Lanes<S>) -> [Lanes<S>; 2] {
+        [row.splat(1.0), row.splat(0.0)]
+    }
+}
+
+#[derive(Clone, Copy)]
+struct InverseRoot;
+
+impl Factor for InverseRoot {
+    const VARIES: bool = false;
+    #[inline(always)]
+    fn at<S: Simd>(self, row: &FactorRow<S>, cos2: Lanes<S>) -> [Lanes<S>; 2] {
+        [row.splat(1.0) / row.product(cos2).sqrt(), row.splat(0.0)]
+    }
+}
+
+#[derive(Clone, Copy)]
+struct InverseProduct;
+
+impl Factor for InverseProduct {
+    const VARIES: bool = false;
+    #[inline(always)]
+    fn at<S: Simd>(self, row: &FactorRow<S>, cos2: Lanes<S>) -> [Lanes<S>; 2] {
+        [row.splat(1.0) / row.product(cos2), row.splat(0.0)]
+    }
+}
+
+#[derive(Clone, Copy)]
+struct InverseLarger;
+
+impl Factor for InverseLarger {
+    const VARIES: bool = false;
+    #[inline(always)]
+    fn at<S: Simd>(self, row: &FactorRow<S>, cos2: Lanes<S>) -> [Lanes<S>; 2] {
+        [row.splat(1.0) / row.cosines(cos2)[1], row.splat(0.0)]
+    }
+}
+
+#[derive(Clone, Copy)]
+struct VGroove;
+
+impl Factor for VGroove {
+    const VARIES: bool = false;
+    #[inline(always)]
+    fn at<S: Simd>(self, row: &FactorRow<S>, cos2: Lanes<S>) -> [Lanes<S>; 2] {
+        let open = row.splat(1.0) / row.product(cos2);
+        let masked = row.groove / row.cosines(cos2)[1];
+        [open.min(masked), row.splat(0.0)]
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Ggx;
+
+impl Factor for Ggx {
+    const VARIES: bool = true;
+    /// With r = √(a² + (1−a²) cos²θ), G₁/cos θ is 2 / (cos θ + r); the product of both sums is symmetric in θi and θo
+    /// and so a function of their cosines' product P and sum of squares M: P + T + Q with Q = ri ro and
+    /// T = cos θi ro + cos θo ri.
+    #[inline(always)]
+    fn at<S: Simd>(self, row: &FactorRow<S>, cos2: Lanes<S>) -> [Lanes<S>; 2] {
+        let splat = |x: f32| row.splat(x);
+        let (one, two) = (splat(1.0), splat(2.0));
+        let p = row.product(cos2);
+        let m = row.squares - two * p;
+        let u = row.p * row.p;
+        let v = one - u;
+        let p2 = p * p;
+        let q = (u * u + v * (u * m + v * p2)).sqrt();
+        let t = (u * m + two * (v * p2 + p * q)).sqrt();
+        let sum = p + t + q;
+        // Slopes in ln a, where u moves by 2u.
+        let q_slope = u * (two * u + (one - two * u) * m - two * v * p2) / q;
+        let t_slope = (u * (m - two * p2) + p * q_slope) / t;
+        [splat(4.0) / sum, splat(0.0) - (q_slope + t_slope) / sum]
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Beckmann;
+
+impl Factor for Beckmann {
+    const VARIES: bool = true;
+    /// [Walter07] after eq. 27: with b = 1/(a tan θ) below 1.6, G₁ is (3.535 b + 2.181 b²) / (1 + 2.276 b + 2.577 b²).
+    #[inline(always)]
+    fn at<S: Simd>(self, row: &FactorRow<S>, cos2: Lanes<S>) -> [Lanes<S>; 2] {
+        let splat = |x: f32| row.splat(x);
+        let (zero, one) = (splat(0.0), splat(1.0));
+        let [mut factor, mut slope] = [one, zero];
+        for cos in row.cosines(cos2) {
+            let sin = (one - cos * cos).max(splat(1e-12)).sqrt();
+            // b / cos θ
+            let steep = one / (row.p * sin);
+            let b = steep * cos;
+            let above = splat(2.181).mul_add(b, splat(3.535));
+            let below = b.mul_add(splat(2.577).mul_add(b, splat(2.276)), one);
+            let masked = steep * above / below;
+            let masked_slope = b * (splat(2.577 * 2.0).mul_add(b, splat(2.276)) / below)
+                - splat(2.0 * 2.181).mul_add(b, splat(3.535)) / above;
+            let limit = splat(1.6);
+            let open = one / cos;
+            factor = factor * (masked.where_lt(b, limit) + open.where_le(limit, b));
+            slope = slope + masked_slope.where_lt(b, limit);
+        }
+        [factor, slope]
+    }
+}
+
+/// A lobe that is a number of the row times a factor.
+struct Rows<F> {
+    factor: F,
+    model: &'static Model,
+    lobe: LobeValues,
+    /// The lobe's parameters a little below and above, one after the other moved, by [`STEP`] in its variable.
+    moved: Vec<[LobeValues; 2]>,
+    fresnel: FresnelRows,
+}
+
+/// Step of the central differences in the variables: good to 1e-8.
+const STEP: f64 = 1e-4;
+
+impl<F: Factor> Rows<F> {
+    fn new(shape: &LobeShape, factor: F) -> Self {
+        let rows = shape.model.params.iter().enumerate();
+        let moved = rows.map(|(k, row)| {
+            [-STEP, STEP].map(|step| {
+                let mut lobe = shape.lobe;
+                lobe[k] = value(row, variable(row, lobe[k]) + step);
+                lobe
+            })
+        });
+        Self {
+            factor,
+            model: shape.model,
+            lobe: shape.lobe,
+            moved: moved.collect(),
+            fresnel: FresnelRows::new(shape),
+        }
+    }
+
+    /// Number of the row, R_F included: the lobe over the factor at φd = 90°, where no cosine is 0. And the factor's slope
+    /// there.
+    fn of_row(&self, row: &CellRow) -> [f64; 2] {
+        let angles = angles_of(row);
+        let scalar = FactorRow::new(pulp::Scalar, angles, self.lobe[0]);
+        let at_reference = self.factor.at(&scalar, Lanes::splat(pulp::Scalar, 0.0));
+        let [factor, slope] = at_reference.map(Lanes::total);
+        let lobe = (self.model.lobe)(&self.lobe, &cosines_at(row, 0.0));
+        [self.fresnel.value[row.theta_d] * lobe / factor, slope]
+    }
+
+    fn fill<const SLOPES: usize>(
+        &self,
+        row: &CellRow,
+        number: f64,
+        cos2: &[f32],
+        shapes: &mut [f32],
+        slopes: [&mut [f32]; SLOPES],
+    ) {
+        simd::dispatch(Fill {
+            factor: self.factor,
+            angles: angles_of(row),
+            p: self.lobe[0],
+            number,
+            cos2,
+            shapes,
+            slopes,
+        });
+    }
+}
+
+impl<F: Factor> LobeKernel for Rows<F> {
+    fn shapes(&self, row: &CellRow, cos2: &[f32], shapes: &mut [f32]) {
+        let [number, _] = self.of_row(row);
+        self.fill(row, number, cos2, shapes, []);
+    }
+
+    fn slopes(&self, row: &CellRow, cos2: &[f32], shapes: &mut [f32], slopes: &mut RowSlopes) {
+        let [number, factor_slope] = self.of_row(row);
+        let cosines = cosines_at(row, 0.0);
+        slopes.constant = [0.0; VARIABLES];
+        slopes.constant[ETA_VARIABLE] = self.fresnel.slope[row.theta_d];
+        if number > 0.0 {
+            for (slope, moved) in slopes.constant.iter_mut().zip(&self.moved) {
+                let [low, high] = moved.map(|lobe| (self.model.lobe)(&lobe, &cosines));
+                let change = (high / low).ln() / (2.0 * STEP);
+                // Where a needle's foot falls below what f64 holds, its slope is of no account.
+                *slope = if change.is_finite() { change } else { 0.0 };
+            }
+        }
+        if F::VARIES {
+            slopes.constant[0] -= factor_slope;
+            let by_first = &mut slopes.varying[0][..cos2.len()];
+            self.fill(row, number, cos2, shapes, [by_first]);
+        } else {
+            self.fill(row, number, cos2, shapes, []);
+        }
+    }
+
+    fn varying(&self) -> &[usize] {
+        if F::VARIES { &[0] } else { &[] }
+    }
+}
+
+/// Writes the shapes of a row, and the factor's slopes where `SLOPES` is 1.
+struct Fill<'a, F, const SLOPES: usize> {
+    factor: F,
+    angles: &'a RowAngles,
+    p: f64,
+    number: f64,
+    cos2: &'a [f32],
+    shapes: &'a mut [f32],
+    slopes: [&'a mut [f32]; SLOPES],
+}
+
+impl<F: Factor, const SLOPES: usize> Kernel for Fill<'_, F, SLOPES> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) {
+        let row = FactorRow::new(simd, self.angles, self.p);
+        let number = row.splat(self.number as f32);
+        let shapes = S::as_mut_simd_f32s(self.shapes).0;
+        let slopes = self.slopes.map(|slopes| S::as_mut_simd_f32s(slopes).0);
+        for (k, cos2) in vectors::<S>(self.cos2).iter().enumerate() {
+            let [factor, slope] = self.factor.at(&row, Lanes::new(simd, *cos2));
+            shapes[k] = (number * factor).vector();
+            if SLOPES > 0 {
+                slopes[0][k] = slope.vector();
+            }
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! Kernel of lobes that are a power of a base.
+
+use super::fresnel_rows::FresnelRows;
+use super::{LobeKernel, LobeShape, RowSlopes, angles_of};
+use crate::brdf::LobeValues;
+use crate::brdf::along_phi_d::{PowerBase, RowAngles};
+use crate::brdf::params::Scale;
+use crate::fit::simd::{self, Kernel, Lanes, vectors};
+use crate::fit::symmetric_cells::CellRow;
+use crate::fit::variables::ETA_VARIABLE;
+use pulp::Simd;
+
+/// The largest f32 below 1.
+const BELOW_ONE: f32 = 1.0 - 0.5 * f32::EPSILON;
+
+/// A lobe (1 − v)^s, with v as [`PowerBase`] has it.
+pub struct Power {
+    lobe: LobeValues,
+    base: fn(&LobeValues, &RowAngles) -> PowerBase,
+    /// Exponent of the base.
+    s: f64,
+    /// Variables whose slopes vary along a row: the exponent's, and that of the second parameter where there is one.
+    varying: &'static [usize],
+    /// ∂ second parameter / ∂ its variable.
+    second: f64,
+    fresnel: FresnelRows,
+}
+
+impl Power {
+    /// Kernel of a shape whose exponent is a multiple of its first parameter.
+    pub fn new(
+        shape: &LobeShape,
+        exponent: f64,
+        base: fn(&LobeValues, &RowAngles) -> PowerBase,
+    ) -> Self {
+        Self {
+            lobe: shape.lobe,
+            base,
+            s: exponent * shape.lobe[0],
+            varying: &[0, 1][..shape.model.params.len().min(2)],
+            second: match shape.model.params.get(1).map(|row| row.scale) {
+                Some(Scale::Log { .. }) => shape.lobe[1],
+                _ => 1.0,
+            },
+            fresnel: FresnelRows::new(shape),
+        }
+    }
+
+    fn row(&self, row: &CellRow) -> Row {
+        let base = (self.base)(&self.lobe, angles_of(row));
+        Row {
+            base: PowerBase {
+                slope: base.slope.map(|slope| slope * self.second),
+                ..base
+            },
+            s: self.s,
+            fresnel: self.fresnel.value[row.theta_d],
+        }
+    }
+}
+
+impl LobeKernel for Power {
+    fn shapes(&self, row: &CellRow, cos2: &[f32], shapes: &mut [f32]) {
+        let row = self.row(row);
+        simd::dispatch(Fill::<0> {
+            row: &row,
+            cos2,
+            shapes,
+            slopes: [],
+        });
+    }
+
+    fn slopes(&self, row: &CellRow, cos2: &[f32], shapes: &mut [f32], slopes: &mut RowSlopes) {
+        slopes.constant[ETA_VARIABLE] = self.fresnel.slope[row.theta_d];
+        let row = self.row(row);
+        let count = cos2.len();
+        let [by_s, by_second, ..] = &mut slopes.varying;
+        let (by_s, by_second) = (&mut by_s[..count], &mut by_second[..count]);
+        match self.varying.len() {
+            2 => simd::dispatch(Fill {
+                row: &row,
+                cos2,
+                shapes,
+                slopes: [by_s, by_second],
+            }),
+            _ => simd::dispatch(Fill {
+                row: &row,
+                cos2,
+                shapes,
+                slopes: [by_s],
+            }),
+        }
+    }
+
+    fn varying(&self) -> &[usize] {
+        self.varying
+    }
+}
+
+/// A row of the lobe.
+struct Row {
+    base: PowerBase,
+    s: f64,
+    fresnel: f64,
+}
+
+/// Writes shapes and the first `SLOPES` slopes of a row.
+struct Fill<'a, const SLOPES: usize> {
+    row: &'a Row,
+    cos2: &'a [f32],
+    shapes: &'a mut [f32],
+    slopes: [&'a mut [f32]; SLOPES],
+}
+
+impl<const SLOPES: usize> Kernel for Fill<'_, SLOPES> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) {
+        let splat = |x: f64| Lanes::splat(simd, x as f32);
+        let PowerBase { x, blend, slope } = self.row.base;
+        let (x, blend, slope) = (x.map(splat), blend.map(splat), slope.map(splat));
+        let (s, fresnel) = (splat(self.row.s), splat(self.row.fresnel));
+        let one = splat(1.0);
+        let below_one = Lanes::splat(simd, BELOW_ONE);
+        let shapes = S::as_mut_simd_f32s(self.shapes).0;
+        let slopes = self.slopes.map(|slopes| S::as_mut_simd_f32s(slopes).0);
+        for (k, cos2) in vectors::<S>(self.cos2).iter().enumerate() {
+            let cos2 = Lanes::new(simd, *cos2);
+            let x = x[1].mul_add(cos2, x[0]).min(one);
+            let versine = blend[0].mul_add(x, blend[1]);
+            let ln = versine.ln_one_minus();
+            let shape = (s * ln).exp_negative() * fresnel;
+            // A base of 0 is 0 to every power; with s = 0.1 the smallest base that has a logarithm is not.
+            shapes[k] = shape.where_le(versine, below_one).vector();
+            if SLOPES > 0 {
+                slopes[0][k] = (s * ln).vector();
+            }
+            if SLOPES > 1 {
+                // ∂ ln(1 − v)/∂p; at a base of 0 it has no bound.
+                let base = (one - versine).max(splat(1e-3));
+                let by_second = slope[0].mul_add(x, slope[2].mul_add(cos2, slope[1]));
+                slopes[1][k] = (splat(0.0) - s * by_second / base).vector();
+            }
+        }
+    }
+}
