@@ -6,6 +6,7 @@
 //! - memory beyond the table for arranging it and fitting all six: goal ≤ 64 MiB;
 //! - how long a fit goes on after it is told to stop, at many moments: goal < 100 ms.
 
+use grazing::brdf::PHONG_FAMILY;
 use grazing::brdf::params::lobe_values;
 use grazing::brdf::{Brdf, Fresnel, MODELS, Params};
 use grazing::fit::options::NO_LIMIT;
@@ -80,7 +81,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     );
 
     let variant = Variant::from(&brdf);
-    let all = Variant::all(Fresnel::Exact);
+    let all = Variant::of(PHONG_FAMILY, Fresnel::Exact);
     let staged = FitOptions {
         stages: StageSet::POSTER,
         ..FitOptions::default()
@@ -145,7 +146,7 @@ fn memory_of_fits(table: &Table) -> Result<Option<f64>, Box<dyn std::error::Erro
     }
     let before = read("VmRSS:");
     let problem = Problem::new(table, Weight::Cosine, NO_LIMIT)?;
-    let variants = Variant::all(Fresnel::Exact);
+    let variants = Variant::of(PHONG_FAMILY, Fresnel::Exact);
     fit_all(&problem, &variants, &FitOptions::default(), &mut |_, _| {
         ControlFlow::Continue(())
     });
@@ -156,7 +157,7 @@ fn memory_of_fits(table: &Table) -> Result<Option<f64>, Box<dyn std::error::Erro
 
 /// Milliseconds from the moment that a fit of all six is told to stop, at a share of its time, to its return.
 fn stop_delay(problem: &Problem, share: f64) -> f64 {
-    let variants = Variant::all(Fresnel::Exact);
+    let variants = Variant::of(PHONG_FAMILY, Fresnel::Exact);
     let options = FitOptions::default();
     let whole = timed(|| {
         fit_all(problem, &variants, &options, &mut |_, _| {

@@ -1,6 +1,5 @@
 //! Files that the program writes, as a beginning for each target: where SEEDS names a folder, they are written there.
 
-use grazing::brdf::COMBINED;
 use grazing::app::msg::{Loaded, Msg};
 use grazing::app::reduce;
 use grazing::app::session::file::SessionFile;
@@ -8,7 +7,7 @@ use grazing::app::state::State;
 use grazing::app::state::fitting::kept::KeptFit;
 use grazing::app::state::material::Origin;
 use grazing::brdf::fresnel::FRESNELS;
-use grazing::brdf::{self, Brdf, Fresnel, MODELS, Params};
+use grazing::brdf::{self, Brdf, Fresnel, MODELS};
 use grazing::export::SubjectSource;
 use grazing::export::preset::{PRESETS, PresetMaterial, PresetOptions};
 use grazing::figure::page::Style;
@@ -69,14 +68,9 @@ fn measured() -> [Vec<u8>; 2] {
 }
 
 fn models() -> Vec<String> {
-    let of = |model, fresnel| Brdf {
-        model,
-        fresnel,
-        params: COMBINED.default_params(),
-    };
     let all = MODELS
-        .into_iter()
-        .flat_map(|model| FRESNELS.map(|fresnel| of(model, fresnel)));
+        .iter()
+        .flat_map(|model| FRESNELS.map(|fresnel| Brdf::new(model, fresnel)));
     let all: Vec<_> = all.map(|brdf| brdf::json::to_value(&brdf)).collect();
     vec![all[8].to_string(), serde_json::Value::from(all).to_string()]
 }
@@ -161,7 +155,7 @@ fn figures() -> Vec<String> {
             source: SubjectSource::sample(SAMPLES[0].key),
             models: models
                 .iter()
-                .map(|variant| variant.with(COMBINED.default_params()))
+                .map(|variant| variant.defaults())
                 .collect(),
         };
         preset.figure(&[material], &options).to_json()

@@ -2,6 +2,7 @@
 //!
 //! Glossy lobes are needles, and at grazing angles slivers: the quadrature is laid out around the mirror direction.
 
+use super::along_phi_d::{AlongPhiD, Azimuth};
 use super::model::Brdf;
 use crate::geom::{Cosines, Rgb, direction, mirror};
 use glam::DVec3;
@@ -96,10 +97,15 @@ impl<'a> Peak<'a> {
         let (sin_beta, cos_beta) = beta.sin_cos();
         let horizon = self.cos_theta_i.atan2(self.sin_theta_i * cos_beta);
         let fine = (1.1 * self.width(cos_beta, sin_beta)).min(0.5 * self.cos_theta_i);
-        let dark = self.end_of_mirror(sin_beta, cos_beta, horizon);
+        let mut ends = [
+            self.end_of_mirror(sin_beta, cos_beta, horizon),
+            self.end_of_open_grooves(sin_beta, cos_beta, horizon),
+            horizon,
+        ];
+        ends.sort_by(f64::total_cmp);
         let mut sum = 0.0;
         let mut from = 0.0;
-        for to in [dark, horizon] {
+        for to in ends {
             if to <= from {
                 continue;
             }
@@ -134,15 +140,23 @@ impl<'a> Peak<'a> {
             true => is_dark(psi),
             false => wr.dot(self.at(psi, sin_beta, cos_beta).0) <= 0.0,
         };
-        if !ends(horizon) {
+        first_true(ends, horizon)
+    }
+
+    /// ψ along a ray at which V-grooves begin to hide their walls, where the minimum makes a kink; `horizon` where the
+    /// lobe has none.
+    fn end_of_open_grooves(&self, sin_beta: f64, cos_beta: f64, horizon: f64) -> f64 {
+        if !matches!(
+            self.brdf.model.along_phi_d,
+            AlongPhiD::Factor(Azimuth::VGroove)
+        ) {
             return horizon;
         }
-        let (mut low, mut high) = (0.0, horizon);
-        for _ in 0..30 {
-            let middle = 0.5 * (low + high);
-            *(if ends(middle) { &mut high } else { &mut low }) = middle;
-        }
-        low
+        let hidden = |psi: f64| {
+            let c = Cosines::from_directions(self.wi, self.at(psi, sin_beta, cos_beta).0);
+            2.0 * c.wh_n.cos * c.cos_theta_i.min(c.cos_theta_o) < c.wi_wh.cos
+        };
+        first_true(hidden, horizon)
     }
 
     /// View direction wo at (ψ, β), and the Jacobian dωo / (dψ dβ).
@@ -172,6 +186,19 @@ impl<'a> Peak<'a> {
         let cosines = Cosines::from_directions(self.wi, wo);
         self.brdf.specular_shape(&cosines) * cosines.cos_theta_o.max(0.0) * jacobian.max(0.0)
     }
+}
+
+/// Smallest argument in [0, `end`] at which a condition that then stays is met; `end` where it is not.
+fn first_true(is_met: impl Fn(f64) -> bool, end: f64) -> f64 {
+    if !is_met(end) {
+        return end;
+    }
+    let (mut low, mut high) = (0.0, end);
+    for _ in 0..30 {
+        let middle = 0.5 * (low + high);
+        *(if is_met(middle) { &mut high } else { &mut low }) = middle;
+    }
+    low
 }
 
 /// Appends breaks from the last of `breaks` to `to` in growing steps, the first of length `fine`.

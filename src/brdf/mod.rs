@@ -18,7 +18,7 @@ pub mod wgsl;
 pub use albedo::albedo;
 pub use fresnel::Fresnel;
 pub use model::{Brdf, Contained, Model};
-pub use models::{BLINN_PHONG, COMBINED, MODELS, PHONG};
+pub use models::{BLINN_PHONG, COMBINED, MODELS, PHONG, PHONG_FAMILY};
 pub use params::{LobeValues, Param, ParamId, Params};
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 mod builder;
 
 use super::spec::{FigureSpec, SubjectSource};
-use crate::brdf::{Brdf, Fresnel, MODELS, Model};
+use crate::brdf::{Brdf, Fresnel, Model, PHONG_FAMILY};
 use crate::figure::ViewSpec;
 use crate::figure::albedo::AlbedoSpec;
 use crate::figure::disc::DiscSpec;
@@ -237,7 +237,7 @@ impl Preset {
         let fresnel = options.fresnel;
         let of = |model: &'static Model| Variant { model, fresnel };
         match (self.all_models, self.key) {
-            (true, _) => MODELS.iter().copied().map(of).collect(),
+            (true, _) => PHONG_FAMILY.iter().copied().map(of).collect(),
             (_, "scatter" | "landscape") => vec![of(crate::fit::landscape::model())],
             _ => vec![of(options.model)],
         }

@@ -3,7 +3,7 @@ use super::{
     FigureFormat, FigureSpec, OpenedTables, Prepared, SubjectSource, open_from_files, prepare,
     spec_beside,
 };
-use crate::brdf::{Brdf, COMBINED, Fresnel};
+use crate::brdf::{COMBINED, Fresnel};
 use crate::figure::ViewSpec;
 use crate::figure::lobes::LobeScale;
 use crate::figure::page::Style;
@@ -30,11 +30,7 @@ fn options() -> PresetOptions {
 }
 
 fn materials(preset: &Preset, names: &[&str]) -> Vec<PresetMaterial> {
-    let model = |variant: crate::fit::Variant| Brdf {
-        model: variant.model,
-        fresnel: variant.fresnel,
-        params: COMBINED.default_params(),
-    };
+    let model = |variant: crate::fit::Variant| variant.defaults();
     let material = |name: &&str| PresetMaterial {
         name: (*name).into(),
         source: SubjectSource::Sample {

@@ -1,7 +1,7 @@
 //! Options of a fit: variant, weight, stages, held values, start and bounds.
 
 use super::stages::{Stage, StageSet};
-use crate::brdf::{Brdf, Fresnel, MODELS, Model, Param, ParamId, Params};
+use crate::brdf::{Brdf, Fresnel, Model, Param, ParamId, Params};
 use crate::geom::Rgb;
 use crate::keys;
 use serde::{Deserialize, Serialize};
@@ -70,11 +70,11 @@ pub struct Variant {
 }
 
 impl Variant {
-    /// Every model without a Fresnel factor and with this one: two variants a model; one for [`Fresnel::None`].
-    pub fn all(fresnel: Fresnel) -> Vec<Self> {
+    /// Models without a Fresnel factor and with this one: two variants a model; one for [`Fresnel::None`].
+    pub fn of(models: &[&'static Model], fresnel: Fresnel) -> Vec<Self> {
         let mut fresnels = vec![Fresnel::None, fresnel];
         fresnels.dedup();
-        let of = |fresnel| MODELS.iter().map(move |model| Self { model, fresnel });
+        let of = |fresnel| models.iter().map(move |model| Self { model, fresnel });
         fresnels.into_iter().flat_map(of).collect()
     }
 

@@ -95,7 +95,7 @@ fn a_merl_file_of_a_model_opens_as_measured_data() {
 fn whatever_cannot_be_done_has_its_line() {
     let folder = Folder::new();
     let models = folder.file("models.json", MODELS_JSON);
-    let bad = folder.file("bad.json", r#"{"model": "ward"}"#);
+    let bad = folder.file("bad.json", r#"{"model": "wart"}"#);
     let there = folder.file("there.wgsl", "precious");
     let data = folder.path("data.binary");
     succeeded(&export(&models, &[&"-o", &data]));

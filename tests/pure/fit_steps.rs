@@ -9,6 +9,7 @@ use grazing::app::state::fitting::run::FitUpdates;
 use grazing::app::state::fitting::settings::FitSettings;
 use grazing::app::state::material::{MaterialId, Origin};
 use grazing::app::views::lobes::settings::LobeSettings;
+use grazing::brdf::PHONG_FAMILY;
 use grazing::brdf::{Brdf, Fresnel, ParamId};
 use grazing::figure::lobes::LobeScale;
 use grazing::fit::{
@@ -303,7 +304,7 @@ fn several_variants_leave_the_model_alone() {
     let mut state = state(1);
     let before = shown(&state);
     let tasks = run(&mut state, Command::FitAll);
-    let variants = Variant::all(before.fresnel);
+    let variants = Variant::of(PHONG_FAMILY, before.fresnel);
     let Task::Fit(task) = &tasks[0] else {
         panic!("{tasks:?}")
     };
@@ -338,7 +339,7 @@ fn six_without_fresnel_are_those_with_the_exact_one() {
     let Task::Fit(task) = &tasks[0] else {
         panic!("{tasks:?}")
     };
-    assert_eq!(task.variants, Variant::all(Fresnel::Exact));
+    assert_eq!(task.variants, Variant::of(PHONG_FAMILY, Fresnel::Exact));
 }
 
 #[test]

@@ -10,6 +10,7 @@ use grazing::app::msg::fit::FitMsg;
 use grazing::app::state::State;
 use grazing::app::state::fitting::kept::variant_name;
 use grazing::app::state::fitting::settings::FitSettings;
+use grazing::brdf::PHONG_FAMILY;
 use grazing::brdf::{Brdf, Fresnel, MODELS, ParamId};
 use grazing::fit::options::NO_LIMIT;
 use grazing::fit::{self, EndReason, FitOptions, Outcome, Problem, STAGES, Stage, Variant, Weight};
@@ -209,7 +210,7 @@ fn all_six_fill_a_table_that_sorts_shows_and_overlays() {
     assert_eq!((material.fits.len(), opened.brdf), (6, before));
     let mut wanted = fit::fit_all(
         &first_problem(Weight::Cosine),
-        &Variant::all(before.fresnel),
+        &Variant::of(PHONG_FAMILY, before.fresnel),
         &options(&[Stage::Amplitudes]),
         &mut |_, _| ControlFlow::Continue(()),
     );
@@ -222,7 +223,7 @@ fn all_six_fill_a_table_that_sorts_shows_and_overlays() {
     wanted.sort_by(|a, b| a.errors.total.total_cmp(&b.errors.total));
     assert_eq!(rows(&window), wanted.iter().map(name).collect::<Vec<_>>());
     click(&mut window, "Sort by variant");
-    let by_name: Vec<String> = Variant::all(before.fresnel)
+    let by_name: Vec<String> = Variant::of(PHONG_FAMILY, before.fresnel)
         .into_iter()
         .map(variant_name)
         .collect();

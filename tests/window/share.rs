@@ -300,7 +300,10 @@ fn planted_errors_are_caught() {
         ("return 0.5 * a * a", "return 0.501 * a * a"),
         ("-wi.x, -wi.y, wi.z", "-wi.y, -wi.x, wi.z"),
         ("wo.z) < 0.0", "wo.z) < -1.0"),
-        ("+ alpha * versine_pow4", "+ 1.01 * alpha * versine_pow4"),
+        (
+            "+ alpha * brdf_versine_pow4",
+            "+ 1.01 * alpha * brdf_versine_pow4",
+        ),
     ] {
         let planted = |text: &str| {
             assert!(text.contains(right), "{right} is not in the text any more");

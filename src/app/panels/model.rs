@@ -1,6 +1,6 @@
 //! The model: its formula with live numbers and a row per parameter.
 
-use crate::app::command::{Command, ENTRIES};
+use crate::app::command::{Command, ENTRIES, Entry};
 use crate::app::lessons::LookAt;
 use crate::app::msg::Msg;
 use crate::app::panels::sides::fold_ui;
@@ -10,7 +10,7 @@ use crate::app::state::side_panels::Side;
 use crate::app::widgets::controls::{command_choice_ui, tick_ui};
 use crate::app::widgets::formula;
 use crate::app::widgets::paint::rich_text_job;
-use crate::brdf::Brdf;
+use crate::brdf::{Brdf, PHONG_FAMILY};
 use crate::figure::text::RichText;
 
 /// Draws the heading with its buttons.
@@ -57,22 +57,51 @@ pub fn model_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     derived_ui(ui, brdf);
 }
 
-/// The models and Fresnel factors as rows of buttons, from the command list.
+/// Width in points of the menu of further models.
+const MORE: f32 = 84.0;
+
+/// The models and Fresnel factors as rows of buttons, from the command list; models beyond the Phong family in a menu.
 fn choices_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
-    for (submenu, label) in [("", ""), ("Fresnel", "Fresnel")] {
-        ui.horizontal(|ui| {
-            if !label.is_empty() {
-                ui.label(label);
-            }
-            for entry in ENTRIES
-                .iter()
-                .filter(|e| e.menu == "Model" && e.submenu == submenu)
-            {
-                let chosen = entry.command.is_checked(state).unwrap_or(false);
-                command_choice_ui(ui, entry.command, &entry.name, chosen, out);
-            }
-        });
-    }
+    // In a narrow panel the menu is below them.
+    ui.horizontal_wrapped(|ui| {
+        let (near, more) = entries("").partition::<Vec<_>, _>(
+            |entry| matches!(entry.command, Command::UseModel(index) if index < PHONG_FAMILY.len()),
+        );
+        for entry in near {
+            choice_ui(ui, state, entry, out);
+        }
+        let is_chosen = |entry: &&Entry| entry.command.is_checked(state).unwrap_or(false);
+        let chosen = more.iter().copied().find(is_chosen);
+        let text = chosen.map_or("More", |entry| &entry.name);
+        let menu = egui::ComboBox::from_id_salt("more models")
+            .width(MORE)
+            .truncate()
+            .height(400.0)
+            .selected_text(text)
+            .show_ui(ui, |ui| {
+                more.into_iter()
+                    .for_each(|entry| choice_ui(ui, state, entry, out))
+            });
+        ui.ctx()
+            .accesskit_node_builder(menu.response.id, |node| node.set_label("More models"));
+        menu.response
+            .on_hover_text("Models beside the Phong family");
+    });
+    ui.horizontal(|ui| {
+        ui.label("Fresnel");
+        entries("Fresnel").for_each(|entry| choice_ui(ui, state, entry, out));
+    });
+}
+
+/// The entries of the Model menu, or of a menu in it.
+fn entries(submenu: &'static str) -> impl Iterator<Item = &'static Entry> {
+    let entries = ENTRIES.iter();
+    entries.filter(move |entry| entry.menu == "Model" && entry.submenu == submenu)
+}
+
+fn choice_ui(ui: &mut egui::Ui, state: &State, entry: &Entry, out: &mut Vec<Msg>) {
+    let chosen = entry.command.is_checked(state).unwrap_or(false);
+    command_choice_ui(ui, entry.command, &entry.name, chosen, out);
 }
 
 fn optimal_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {

@@ -10,7 +10,7 @@ use crate::app::state::job::CancelFlag;
 use crate::app::state::material::{Material, MaterialId, Opened};
 use crate::app::state::notice::Severity;
 use crate::app::state::views::ViewId;
-use crate::brdf::{Brdf, Fresnel};
+use crate::brdf::{Brdf, Fresnel, PHONG_FAMILY};
 use crate::fit::{ProblemError, Variant};
 
 /// Changes the state.
@@ -90,10 +90,13 @@ pub(crate) fn start(state: &mut State, all: bool) -> Vec<Task> {
         return Vec::new();
     };
     let variants = if all {
-        Variant::all(match opened.brdf.fresnel {
-            Fresnel::None => Fresnel::Exact,
-            fresnel => fresnel,
-        })
+        Variant::of(
+            PHONG_FAMILY,
+            match opened.brdf.fresnel {
+                Fresnel::None => Fresnel::Exact,
+                fresnel => fresnel,
+            },
+        )
     } else {
         vec![Variant::from(&opened.brdf)]
     };

@@ -11,7 +11,7 @@ use crate::app::state::folder_fit::{blocked, measured, model};
 use crate::app::state::job::{CancelFlag, Hold};
 use crate::app::state::library::folder_run::FolderRun;
 use crate::app::state::notice::Severity;
-use crate::brdf::Fresnel;
+use crate::brdf::{Fresnel, PHONG_FAMILY};
 use crate::files::fits::FitRecord;
 use crate::fit::{EndReason, Variant};
 use std::path::{Path, PathBuf};
@@ -24,10 +24,13 @@ pub(crate) fn start(state: &mut State, six: bool) -> Vec<Task> {
     }
     let brdf = model(state);
     let variants = if six {
-        Variant::all(match brdf.fresnel {
-            Fresnel::None => Fresnel::Exact,
-            fresnel => fresnel,
-        })
+        Variant::of(
+            PHONG_FAMILY,
+            match brdf.fresnel {
+                Fresnel::None => Fresnel::Exact,
+                fresnel => fresnel,
+            },
+        )
     } else {
         vec![Variant::from(&brdf)]
     };
@@ -137,7 +140,7 @@ fn keep(state: &mut State, path: &Path, fit: FitRecord) {
 mod tests {
     use super::*;
     use crate::app::state::library::fixtures::record;
-    use crate::brdf::Fresnel;
+    use crate::brdf::{Fresnel, PHONG_FAMILY};
     use crate::fit::Weight;
 
     #[test]
@@ -153,7 +156,7 @@ mod tests {
         assert!(!has_fits(
             &state,
             path,
-            &Variant::all(Fresnel::Exact),
+            &Variant::of(PHONG_FAMILY, Fresnel::Exact),
             &setup
         ));
         state.fit.settings.weight = Weight::Cells;

@@ -10,7 +10,7 @@
 use super::exponent;
 use crate::brdf::along_phi_d::{AlongPhiD, PowerBase, RowAngles};
 use crate::brdf::model::Model;
-use crate::brdf::params::{LobeValues, Param};
+use crate::brdf::params::LobeValues;
 use crate::geom::Cosines;
 use std::f64::consts::PI;
 
@@ -20,7 +20,7 @@ pub static MODEL: Model = Model {
     name: "Blinn-Phong",
     source: "[Nielsen14] after [AkenineMoller08]",
     formula: "(ω_{h}·n)^{s}",
-    params: &[S],
+    params: &[exponent::S_OF_WH],
     lobe,
     wgsl: include_str!("blinn_phong.wgsl"),
     normalization: Some(|p| (p[0] + 8.0) / (8.0 * PI)),
@@ -30,15 +30,6 @@ pub static MODEL: Model = Model {
         base,
     },
     contains: &[],
-};
-
-/// Exponent s with four times the range of the other models, so that each of their highlights has its counterpart here.
-const S: Param = Param {
-    range: (4.0 * exponent::S.range.0, 4.0 * exponent::S.range.1),
-    domain: (4.0 * exponent::S.domain.0, 4.0 * exponent::S.domain.1),
-    bounds: (4.0 * exponent::S.bounds.0, 4.0 * exponent::S.bounds.1),
-    default: 4.0 * exponent::S.default,
-    ..exponent::S
 };
 
 fn lobe(p: &LobeValues, c: &Cosines) -> f64 {

@@ -1,4 +1,4 @@
-//! The specular exponent, a parameter of several models.
+//! The specular exponent, a parameter of several models: of wr·wo, or of wh·n, which turns half as far.
 
 use crate::brdf::params::{AtBound, Param, ParamId, Scale, Starts};
 
@@ -24,4 +24,13 @@ pub const S: Param = Param {
         smallest_exponent: -2,
     },
     help: "Shininess: the larger, the narrower the highlight.",
+};
+
+/// Row of the exponent s of wh·n, with four times the range of that of wr·wo, so that each highlight has its counterpart.
+pub const S_OF_WH: Param = Param {
+    range: (4.0 * S.range.0, 4.0 * S.range.1),
+    domain: (4.0 * S.domain.0, 4.0 * S.domain.1),
+    bounds: (4.0 * S.bounds.0, 4.0 * S.bounds.1),
+    default: 4.0 * S.default,
+    ..S
 };

@@ -3,6 +3,7 @@
 use super::making::{
     bounds, distance, fit, map, numbers, problem, sample, thinned, variant, watched,
 };
+use grazing::brdf::PHONG_FAMILY;
 use grazing::brdf::{Brdf, Fresnel, ParamId};
 use grazing::fit::{
     self, Concern, EndReason, FitOptions, Outcome, Partial, Stage, StageSet, Variant,
@@ -249,7 +250,7 @@ fn every_shape_that_is_tried_is_a_chance_to_stop() {
 #[test]
 fn cancelling_several_returns_those_so_far() {
     let problem = problem(&thinned(sample("copper-glaze"), 8));
-    let variants = Variant::all(Fresnel::Exact);
+    let variants = Variant::of(PHONG_FAMILY, Fresnel::Exact);
     let mut positions = Vec::new();
     let outcomes = fit::fit_all(&problem, &variants, &FitOptions::default(), &mut |at, _| {
         positions.push(at);

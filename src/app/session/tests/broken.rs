@@ -103,7 +103,7 @@ fn what_cannot_be_is_replaced_and_named_in_one_line() {
             json!(-5),
             "\"materials.0.model\" is not understood",
         ),
-        ("/materials/0/model/model", json!("ward"), "unknown model"),
+        ("/materials/0/model/model", json!("wart"), "unknown model"),
         (
             "/materials/2/sample",
             json!("unobtainium"),
