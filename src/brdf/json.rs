@@ -5,8 +5,8 @@
 
 use super::fresnel::{FRESNELS, Fresnel};
 use super::model::{Brdf, Model};
-use super::models::MODELS;
-use super::params::{self, ParamId};
+use super::models::{COMBINED, MODELS};
+use super::params::{self, Param, ParamId};
 use crate::json;
 use crate::keys::{did_you_mean, nearest};
 use crate::quote::{quoted, shown};
@@ -115,12 +115,19 @@ pub fn from_value(value: &Value) -> Result<Brdf, BrdfJsonError> {
     Ok(brdf)
 }
 
-/// JSON object of a BRDF, with the keys of all models' parameters; those that do not count are null.
+/// Rows of the parameters that the JSON of a model has keys for: its own, and those of the combined model, which every file
+/// has ever had.
+pub fn rows(model: &Model) -> impl Iterator<Item = &'static Param> {
+    let known = |model: &Model, row: &Param| model.param(row.id).is_some();
+    params::all().filter(move |row| known(model, row) || known(&COMBINED, row))
+}
+
+/// JSON object of a BRDF; parameters that do not count are null.
 pub fn to_value(brdf: &Brdf) -> Value {
     let mut object = Map::new();
     object.insert("model".into(), brdf.model.key.into());
     object.insert("fresnel".into(), brdf.fresnel.key().into());
-    for row in params::all() {
+    for row in rows(brdf.model) {
         object.insert(row.key().into(), parameter(brdf, row.id));
     }
     Value::Object(object)
@@ -187,7 +194,7 @@ pub fn is_key(key: &str) -> bool {
 /// letter away from `fresnel`, without which there is none and nobody would be told. Others pass.
 fn reject_misspelt_keys(object: &Map<String, Value>) -> Result<(), BrdfJsonError> {
     let bare = |key: &str| key.to_lowercase().replace(['-', '_', ' '], "");
-    let rows = params::all().map(params::Param::key);
+    let rows = params::all().map(Param::key);
     for known in rows.chain(["model", "fresnel"]) {
         let slip = |key: &str| known == "fresnel" && strsim::osa_distance(key, known) == 1;
         let meant = |key: &&String| {

@@ -6,11 +6,12 @@ pub(super) mod progress;
 use super::CliError;
 use super::info::{ModelRow, write_models};
 use crate::brdf::fresnel::FRESNELS;
-use crate::brdf::{Fresnel, MODELS, Model, params};
+use crate::brdf::{Fresnel, Model, ParamId, params};
 use crate::files::fits::{FitRecord, write_csv, write_json};
 use crate::files::{self, FileError, write_atomically};
 use crate::fit::{FitOptions, Partial, Problem, StageSet, Variant, WEIGHTS, Weight, fit_all};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser as _};
+use parse::Models;
 use progress::Bar;
 use std::io::{self, IsTerminal as _, Write};
 use std::num::NonZero;
@@ -23,7 +24,9 @@ Examples:
   grazing fit teflon.binary
           The combined model with Fresnel; the result is printed as JSON
   grazing fit *.binary --model all --fresnel all -o fits.json --csv fits.csv
-          Nine fits of each material; `grazing fits.json` shows them in the window
+          Every model of each material; `grazing fits.json` shows them in the window
+  grazing fit gold.binary --model combined,ggx,ward
+          Three models with the exact Fresnel factor, to compare
   grazing fit nickel.binary --limit 80 --stages 1,2,3 --start s=200,alpha=0.5,eta=1.5
           The published staged fit from a start of your own, without what is beyond 80°
   grazing fit nickel.binary --hold eta=1.5,rho_d=0
@@ -45,9 +48,9 @@ pub struct Args {
     /// MERL files, fitted one after the other
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// Which model; all fits each
-    #[arg(long, default_value = "combined", value_parser = keys(MODELS.iter().map(|model| model.key)))]
-    model: String,
+    /// Which models, with commas between them; all and phong-family stand for several
+    #[arg(long, default_value = "combined", value_name = "KEY,…", value_parser = parse::models, help = parse::models_help())]
+    model: Models,
     /// Which Fresnel reflectance multiplies the specular term; all fits with each
     #[arg(long, default_value = "exact", value_parser = keys(FRESNELS.map(Fresnel::key)))]
     fresnel: String,
@@ -59,14 +62,14 @@ pub struct Args {
     limit: f64,
     /// Which stages are run, always in this order
     ///
-    /// 1: rho_d and k_s, exactly. 2: s, alpha and eta. 3: s, alpha, eta and k_s. 4: all parameters together, from
+    /// 1: rho_d and k_s, exactly. 2: the lobe's parameters and eta. 3: these and k_s. 4: all parameters together, from
     /// several starts. The first three are the staged fit of Nielsen et al. (2014); the fourth is never worse.
     #[arg(long, default_value = "1,2,3,4", value_name = "NUMBERS", value_parser = parse::stages, allow_hyphen_values = true)]
     stages: StageSet,
     /// Where the stages begin, instead of at what the data say: s=30,alpha=0.5,eta=1.5
     ///
-    /// Any of rho_d, k_s, s, alpha, eta; a colour is one number or three: k_s=1:2:3. Models without a parameter do
-    /// without its value. Stage 4 tries the starts from the data too.
+    /// Any of rho_d, k_s, eta and the parameters of the models; a colour is one number or three: k_s=1:2:3. Models without
+    /// a parameter do without its value. Stage 4 tries the starts from the data too.
     #[arg(long, value_name = "KEY=VALUE,…", value_parser = parse::values)]
     start: Option<Partial>,
     /// Hold parameters at these values: eta=1.5,rho_d=0.1:0.2:0.3
@@ -175,11 +178,7 @@ impl Args {
                 .filter(|fresnel| is(&self.fresnel, fresnel.key()))
         };
         let of = |model: &'static Model| fresnels().map(move |fresnel| Variant { model, fresnel });
-        let models = MODELS.iter().copied();
-        models
-            .filter(|model| is(&self.model, model.key))
-            .flat_map(of)
-            .collect()
+        self.model.0.iter().copied().flat_map(of).collect()
     }
 
     fn options(&self) -> FitOptions {
@@ -205,10 +204,14 @@ impl Args {
             }
             let uses = |variant: &Variant| variant.defaults().uses(row.id);
             if (starts || held) && !variants.iter().any(uses) {
+                let rows = params::all().map(|row| row.id);
+                let used = |id: &ParamId| variants.iter().any(|v| v.defaults().uses(*id));
+                let known: Vec<&str> = rows.filter(used).map(ParamId::key).collect();
                 let option = if starts { "--start" } else { "--hold" };
                 return usage(format!(
-                    "{option}: the chosen model has no {}; leave it out",
-                    row.key()
+                    "{option}: the chosen model has no {}; it has {}",
+                    row.key(),
+                    known.join(", ")
                 ));
             }
         }

@@ -111,7 +111,7 @@ fn whatever_cannot_be_done_has_its_line() {
             &data,
             "which `grazing fit` makes of measured files",
         ),
-        (&bad, &fresh, &bad, "unknown model \"ward\""),
+        (&bad, &fresh, &bad, "unknown model \"wart\""),
         (&models, &there, &there, "the file exists already; --force"),
         (&models, &odd, &odd, "expected .binary, .brdf, .wgsl, .glsl"),
         (&models, &nowhere, &nowhere, "no directory"),

@@ -4,7 +4,7 @@ use crate::common::folder::Folder;
 use crate::common::merl::merl_file;
 use crate::common::program::{failed, grazing, stderr, stdout, succeeded};
 use grazing::brdf::params::lobe_values;
-use grazing::brdf::{Brdf, COMBINED, Fresnel, MODELS, Params};
+use grazing::brdf::{Brdf, COMBINED, Fresnel, MODELS, PHONG_FAMILY, Params};
 use grazing::geom::direction;
 use serde_json::Value;
 use std::ffi::OsStr;
@@ -163,7 +163,7 @@ fn good_files_are_fitted_and_a_bad_one_between_them_is_named() {
         &bad,
         &second,
         &"--model",
-        &"all",
+        &"phong-family",
         &"--stages",
         &"1",
         &"-o",
@@ -182,7 +182,11 @@ fn good_files_are_fitted_and_a_bad_one_between_them_is_named() {
         .collect();
     let expected: Vec<_> = ["first one", "second"]
         .into_iter()
-        .flat_map(|name| MODELS.iter().map(move |model| [name, model.key, "exact"]))
+        .flat_map(|name| {
+            PHONG_FAMILY
+                .iter()
+                .map(move |model| [name, model.key, "exact"])
+        })
         .collect();
     assert_eq!(variants, expected);
     for fit in &fits {
@@ -347,7 +351,7 @@ fn options_are_kept_and_a_model_without_a_parameter_does_without() {
     let file = material(&folder, "a.binary", 12.0);
     let output = fit(
         &[&file],
-        "--model all --fresnel none --weight solid-angle --limit 80.5 --stages 2,1 \
+        "--model phong-family --fresnel none --weight solid-angle --limit 80.5 --stages 2,1 \
          --start alpha=0.25,s=33.3 --hold k_s=1:2:3,rho_d=0.1 --threads 1",
     );
     let fits = json(&succeeded(&output));
@@ -456,6 +460,60 @@ fn what_is_overwritten_by_force_is_whole() {
 }
 
 #[test]
+fn every_model_is_fitted_and_its_parameters_stand_under_their_keys() {
+    let folder = Folder::new();
+    let file = material(&folder, "a.binary", 12.0);
+    let csv = folder.path("fits.csv");
+    let fits = |models: &str| {
+        json(&succeeded(&fit(
+            &[&file],
+            &format!("--model {models} --stages 1"),
+        )))
+    };
+    let all = fits("all");
+    assert_eq!(all.len(), MODELS.len());
+    for (fit, model) in all.iter().zip(MODELS) {
+        assert_eq!(fit["model"], model.key);
+        for row in model.rows() {
+            assert!(!fit[row.key()].is_null(), "{}: {}", model.key, row.key());
+        }
+        // Keys that every file has ever had, and no other model's.
+        let keys = keys(fit);
+        assert!(["s", "alpha", "eta"].iter().all(|key| keys.contains(key)));
+        let of_ggx = keys.contains(&"roughness");
+        assert_eq!(
+            of_ggx,
+            model.params[0].key() == "roughness",
+            "{}",
+            model.key
+        );
+    }
+    // In the order of the list, each once, whatever the order asked.
+    let two: Vec<_> = fits("ward,ggx,ward")
+        .iter()
+        .map(|fit| fit["model"].clone())
+        .collect();
+    assert_eq!(two, ["ggx", "ward"]);
+    let output = grazing(&[
+        &"fit",
+        &file,
+        &"--model",
+        &"all",
+        &"--stages",
+        &"1",
+        &"--csv",
+        &csv,
+    ]);
+    assert_eq!(succeeded(&output), "");
+    let text = fs::read_to_string(&csv).expect("is written");
+    let columns: Vec<&str> = text.lines().next().expect("a header").split(',').collect();
+    for key in ["s", "alpha", "c_z", "roughness", "b", "c", "eta"] {
+        assert!(columns.contains(&key), "{key}: {columns:?}");
+    }
+    assert_eq!(text.lines().count(), 1 + MODELS.len());
+}
+
+#[test]
 fn every_bad_option_has_its_line() {
     let folder = Folder::new();
     let file = folder.file("never read.binary", "");
@@ -477,7 +535,7 @@ fn every_bad_option_has_its_line() {
         ("--stages=", "no stage is given"),
         (
             "--start shininess=3",
-            "there is no parameter \"shininess\"; expected one of rho_d, k_s, s, alpha, eta",
+            "there is no parameter \"shininess\"; expected one of rho_d, k_s, s, alpha, c_z",
         ),
         ("--start s", "\"s\" has no value; expected KEY=VALUE"),
         ("--start s=wide", "s: \"wide\" is no number"),
@@ -512,8 +570,18 @@ fn every_bad_option_has_its_line() {
             "--hold: the chosen model has no eta",
         ),
         (
-            "--model ward",
-            "possible values: phong, blinn-phong, combined, all",
+            "--model wart",
+            "there is no model \"wart\"; expected one of phong, blinn-phong, combined, lafortune,",
+        ),
+        ("--model ggx,,ward", "there is no model \"\""),
+        ("--model blin-phong", "; did you mean `blinn-phong`?"),
+        (
+            "--model ggx --hold alpha=0.5",
+            "--hold: the chosen model has no alpha; it has rho_d, k_s, roughness, eta",
+        ),
+        (
+            "--model ggx --start roughness=20",
+            "roughness = 20 is out of range",
         ),
         (
             "--fresnel metal",

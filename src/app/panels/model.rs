@@ -80,7 +80,7 @@ fn choices_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
             .selected_text(text)
             .show_ui(ui, |ui| {
                 more.into_iter()
-                    .for_each(|entry| choice_ui(ui, state, entry, out))
+                    .for_each(|entry| choice_ui(ui, state, entry, out));
             });
         ui.ctx()
             .accesskit_node_builder(menu.response.id, |node| node.set_label("More models"));

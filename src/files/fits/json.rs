@@ -151,10 +151,11 @@ impl<'de> Deserialize<'de> for Keys {
 }
 
 impl Keys {
-    /// A key per parameter of any model; null where `value` gives none, and where the parameter does not count.
+    /// A key per parameter; null where `value` gives none, and where the parameter does not count.
     fn per_parameter(brdf: &Brdf, value: impl Fn(ParamId) -> Option<Value>) -> Self {
         let of = |id: ParamId| value(id).filter(|_| brdf.uses(id)).unwrap_or_default();
-        let keys = params::all().map(|row| (row.key().to_owned(), of(row.id)));
+        let rows = brdf::json::rows(brdf.model);
+        let keys = rows.map(|row| (row.key().to_owned(), of(row.id)));
         Self(keys.collect())
     }
 
