@@ -1,10 +1,12 @@
 //! Data made from a model give its parameters back.
 
 use super::making::{bell, distance, exponent_ratio, fit, kept, problem, table, table_of, variant};
+use glam::DVec3;
 use grazing::brdf::fresnel::FRESNELS;
 use grazing::brdf::params::lobe_values;
-use grazing::brdf::{Brdf, Fresnel, ParamId, Params};
+use grazing::brdf::{Brdf, Fresnel, MODELS, Model, PHONG_FAMILY, ParamId, Params};
 use grazing::fit::FitOptions;
+use grazing::geom::Cosines;
 use grazing::measured::Grid;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
@@ -89,6 +91,63 @@ fn needles_and_matte_lobes_come_back_too() {
         );
         let off = distance(&outcome.brdf, &truth);
         assert!(off < 1e-3, "off by {off}: {outcome:?} from {truth:?}");
+    }
+}
+
+/// Materials of the models beside the Phong family, with a highlight that can be seen beside the diffuse part.
+fn others() -> Vec<Brdf> {
+    let others = MODELS.iter().filter(|model| !PHONG_FAMILY.contains(model));
+    let values = |model: &Model| match model.params[0].key() {
+        "roughness" => [lobe_values([0.04]), lobe_values([0.35])],
+        "b" => [lobe_values([4000.0, 0.9]), lobe_values([60.0, 1.6])],
+        _ if model.params.len() == 2 => [lobe_values([25.0, 0.7]), lobe_values([40.0, 1.1])],
+        _ => [lobe_values([300.0]), lobe_values([12.0])],
+    };
+    let of = |model: &&'static Model| {
+        values(model).map(|lobe| {
+            let mut brdf = Brdf::new(model, Fresnel::Exact);
+            brdf.params.rho_d = [0.3, 0.2, 0.1];
+            brdf.params.lobe = lobe;
+            let height = brdf.specular_shape(&Cosines::from_directions(DVec3::Z, DVec3::Z));
+            brdf.params.k_s = [2.0, 2.5, 3.0].map(|peak| peak / height);
+            brdf
+        })
+    };
+    others.flat_map(of).collect()
+}
+
+#[test]
+fn every_model_comes_back_exactly_without_noise() {
+    for truth in others() {
+        let outcome = fit(
+            &problem(&table_of(&truth, 4)),
+            (&truth).into(),
+            &FitOptions::default(),
+        );
+        let off = distance(&outcome.brdf, &truth);
+        let key = truth.model.key;
+        assert!(
+            off < 1e-3,
+            "{key} is off by {off}: {outcome:?} from {truth:?}"
+        );
+    }
+}
+
+#[test]
+fn every_model_comes_back_within_a_percent_with_five_percent_noise() {
+    for truth in others().into_iter().skip(1).step_by(2) {
+        let noisy = table(Grid::FOLDED, |index, c| {
+            let f_r = truth.eval(c);
+            let noise = |k: u64| 1.0 + 0.05 * bell(3 * index as u64 + k);
+            Some(std::array::from_fn(|k| f_r[k] * noise(k as u64)))
+        });
+        let outcome = fit(&problem(&noisy), (&truth).into(), &FitOptions::default());
+        let off = distance(&outcome.brdf, &truth);
+        let key = truth.model.key;
+        assert!(
+            off < 0.01,
+            "{key} is off by {off}: {outcome:?} from {truth:?}"
+        );
     }
 }
 

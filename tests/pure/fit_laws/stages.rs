@@ -1,8 +1,8 @@
 //! What holds from stage to stage and from variant to variant.
 
 use super::making::{fit, numbers, problem, sample, thinned, variant, watched};
-use grazing::brdf::Fresnel;
 use grazing::brdf::PHONG_FAMILY;
+use grazing::brdf::{Fresnel, MODELS, Model};
 use grazing::fit::{
     EndReason, FitOptions, Outcome, Partial, Problem, STAGES, Stage, StageSet, Variant, fit_all,
 };
@@ -109,6 +109,41 @@ fn all_six_keep_the_laws() {
     for fresnel in [Fresnel::None, Fresnel::Exact] {
         let ratio = combined_to_others(&outcomes, fresnel);
         assert!(ratio <= 1.0 + ROUNDING, "{fresnel:?}: {ratio}");
+    }
+    // The laws are the same for every model, and Lafortune is never worse than the Phong that it contains.
+    let thin = super::making::problem(&thinned(sample("copper-glaze"), 8));
+    let exact = |models: &[&'static Model]| {
+        let of = |model: &&'static Model| Variant {
+            model,
+            fresnel: Fresnel::Exact,
+        };
+        let variants: Vec<Variant> = models.iter().map(of).collect();
+        fit_all(&thin, &variants, &FitOptions::default(), &mut |_, _| {
+            ControlFlow::Continue(())
+        })
+    };
+    let every = exact(MODELS);
+    for outcome in &every {
+        let broken = broken(&thin, outcome);
+        let key = outcome.brdf.model.key;
+        assert!(broken.is_empty(), "{key}: {broken:?} {outcome:?}");
+        // Alone it comes to the same as beside the others.
+        let alone = exact(&[outcome.brdf.model]);
+        assert!(
+            (alone[0].errors.total / outcome.errors.total - 1.0).abs() < 1e-3,
+            "{key}: {} {}",
+            alone[0].errors.total,
+            outcome.errors.total
+        );
+        for inner in outcome.brdf.model.contains {
+            let found = every.iter().find(|other| other.brdf.model == inner.model);
+            let ratio = outcome.errors.total / found.expect("was fitted").errors.total;
+            assert!(
+                ratio <= 1.0 + ROUNDING,
+                "{key} {}: {ratio}",
+                inner.model.key
+            );
+        }
     }
     // This one is between the models: the containment is strict.
     assert!(combined_to_others(&outcomes, Fresnel::Exact) < 0.99);
