@@ -65,6 +65,7 @@ pub fn from_value(value: &Value) -> Result<Brdf, BrdfJsonError> {
         },
     };
     reject_misspelt_keys(object)?;
+    reject_parameters_of_others(object, model)?;
     let mut brdf = Brdf::new(model, fresnel);
     for row in brdf.used() {
         let key = row.key();
@@ -188,6 +189,25 @@ pub fn from_text(text: &str, index: usize) -> Result<Brdf, BrdfJsonError> {
 /// Whether a key of an object is read as a part of a model.
 pub fn is_key(key: &str) -> bool {
     ["model", "fresnel"].contains(&key) || ParamId::by_key(key).is_some()
+}
+
+/// Rejects values of parameters that the model does not have. Those of the combined model are left alone, as they were in
+/// files that are older than the other models.
+fn reject_parameters_of_others(
+    object: &Map<String, Value>,
+    model: &Model,
+) -> Result<(), BrdfJsonError> {
+    let lacks = |row: &&Param| model.param(row.id).is_none() && COMBINED.param(row.id).is_none();
+    let given = |row: &&Param| object.get(row.key()).is_some_and(|value| !value.is_null());
+    match params::all().find(|row| lacks(row) && given(row)) {
+        Some(row) => Err(BrdfJsonError(format!(
+            "{} has no \"{}\"; it has {}",
+            model.key,
+            row.key(),
+            keys(model.rows().map(Param::key))
+        ))),
+        None => Ok(()),
+    }
 }
 
 /// Rejects keys that differ from a known one only in capitals, dashes, underscores or spaces, `Fresnel`, `k-s`, and those a

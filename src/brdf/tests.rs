@@ -249,6 +249,14 @@ fn json_round_trips_and_says_what_is_wrong() {
     assert!(said(r#"{"model":"blin-phong"}"#, 0).ends_with("did you mean `blinn-phong`?"));
     let alpha = r#"{"model":"combined","rho_d":[0,0,0],"k_s":[0,0,1],"s":9,"alhpa":1}"#;
     assert!(said(alpha, 0).ends_with("there is \"alhpa\": did you mean `alpha`?"));
+    assert!(
+        phong(r#""roughness":0.1"#)
+            .ends_with("phong has no \"roughness\"; it has rho_d, k_s, s, eta")
+    );
+    assert!(
+        !phong(r#""alpha":0.1,"roughness":null"#).contains("has no"),
+        "old files have them"
+    );
     assert!(phong(r#""fresnel":"cook""#).contains("none, exact, schlick"));
     assert!(phong(r#""rho_d":[0.1,0.2]"#).contains("three numbers"));
     assert!(phong(r#""rho_d":[0,0,0],"k_s":[0,0,-1],"s":1"#).contains("out of range"));
