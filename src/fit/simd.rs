@@ -2,6 +2,7 @@
 
 use pulp::Simd;
 use std::ops::{Add, Div, Mul, Sub};
+use std::sync::LazyLock;
 
 /// Number of symmetric cells per block; rows are padded to whole blocks. A multiple of the lanes of every known
 /// machine.
@@ -26,8 +27,11 @@ pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
             self.0.run(simd)
         }
     }
-    pulp::Arch::new().dispatch(Dispatched(kernel))
+    ARCH.dispatch(Dispatched(kernel))
 }
+
+/// The best instruction set of this machine. Looking for it takes as long as a row of cells.
+static ARCH: LazyLock<pulp::Arch> = LazyLock::new(pulp::Arch::new);
 
 /// SIMD vector of f32: a number per lane.
 #[derive(Clone, Copy)]
@@ -104,20 +108,23 @@ impl<S: Simd> Lanes<S> {
         Self::new(self.simd, self.simd.min_f32s(self.value, other.value))
     }
 
-    /// self where `low` ≤ `high`, 0 elsewhere.
+    /// self where `low` ≤ `high`, 0 elsewhere; not for NaN.
     #[inline(always)]
     pub fn where_le(self, low: Self, high: Self) -> Self {
-        let mask = self.simd.less_than_or_equal_f32s(low.value, high.value);
-        let zero = self.simd.splat_f32s(0.0);
-        Self::new(self.simd, self.simd.select_f32s(mask, self.value, zero))
+        // All ones where the sign of the difference is not set: pulp's own selection is not always inlined.
+        let simd = self.simd;
+        let sign = simd.wrapping_dyn_shr_u32s((high - low).bits(), simd.splat_u32s(31));
+        let mask = simd.sub_u32s(sign, simd.splat_u32s(1));
+        Self::from_bits(simd, simd.and_u32s(self.bits(), mask))
     }
 
-    /// self where `low` < `high`, 0 elsewhere.
+    /// self where `low` < `high`, 0 elsewhere; not for NaN.
     #[inline(always)]
     pub fn where_lt(self, low: Self, high: Self) -> Self {
-        let mask = self.simd.less_than_f32s(low.value, high.value);
-        let zero = self.simd.splat_f32s(0.0);
-        Self::new(self.simd, self.simd.select_f32s(mask, self.value, zero))
+        let simd = self.simd;
+        let sign = simd.wrapping_dyn_shr_u32s((low - high).bits(), simd.splat_u32s(31));
+        let mask = simd.sub_u32s(simd.splat_u32s(0), sign);
+        Self::from_bits(simd, simd.and_u32s(self.bits(), mask))
     }
 
     /// Square root of each number.
