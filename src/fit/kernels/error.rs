@@ -64,9 +64,11 @@ impl<const GRADIENT: bool> ErrorPass<'_, GRADIENT> {
                 }
                 let [w0, w1] = row.weight.map(splat);
                 let values = vectors::<S>(self.cells.values_of(row));
-                let by_ln_shapes = S::as_mut_simd_f32s(&mut by_ln_shapes).0;
+                let by_ln_shapes = &mut S::as_mut_simd_f32s(&mut by_ln_shapes).0;
+                let by_ln_shapes = &mut by_ln_shapes[..cos2.len() / S::F32_LANES];
                 let pairs = vectors::<S>(shapes).iter().zip(vectors::<S>(cos2));
-                for (vector, (shape, cos2)) in pairs.enumerate() {
+                let pairs = pairs.zip(by_ln_shapes.iter_mut());
+                for (vector, ((shape, cos2), by_ln_shape)) in pairs.enumerate() {
                     let shape = Lanes::new(simd, *shape);
                     let weight = w1.mul_add(Lanes::new(simd, *cos2), w0);
                     let mut by_shape = zero;
@@ -89,13 +91,12 @@ impl<const GRADIENT: bool> ErrorPass<'_, GRADIENT> {
                         }
                     }
                     if GRADIENT {
-                        by_ln_shapes[vector] = (by_shape * shape).vector();
+                        *by_ln_shape = (by_shape * shape).vector();
                     }
                 }
                 if GRADIENT {
-                    let by_ln_shapes = &by_ln_shapes[..cos2.len() / S::F32_LANES];
                     let mut total = zero;
-                    for by_ln_shape in by_ln_shapes {
+                    for by_ln_shape in by_ln_shapes.iter() {
                         total = total + Lanes::new(simd, *by_ln_shape);
                     }
                     let total = total.total();

@@ -325,11 +325,15 @@ impl<F: Factor, const SLOPES: usize> Kernel for Fill<'_, F, SLOPES> {
     fn run<S: Simd>(self, simd: S) {
         let row = FactorRow::new(simd, self.angles, self.p);
         let number = row.splat(self.number as f32);
-        let shapes = S::as_mut_simd_f32s(self.shapes).0;
-        let slopes = self.slopes.map(|slopes| S::as_mut_simd_f32s(slopes).0);
-        for (k, cos2) in vectors::<S>(self.cos2).iter().enumerate() {
+        // As long as each other: nothing is checked in the loop.
+        let cos2 = vectors::<S>(self.cos2);
+        let shapes = S::as_mut_simd_f32s(self.shapes).0.iter_mut();
+        let slopes = self
+            .slopes
+            .map(|slopes| &mut S::as_mut_simd_f32s(slopes).0[..cos2.len()]);
+        for (k, (cos2, out)) in cos2.iter().zip(shapes).enumerate() {
             let [factor, slope] = self.factor.at(&row, Lanes::new(simd, *cos2));
-            shapes[k] = (number * factor).vector();
+            *out = (number * factor).vector();
             if SLOPES > 0 {
                 slopes[0][k] = slope.vector();
             }

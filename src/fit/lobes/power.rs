@@ -122,16 +122,20 @@ impl<const SLOPES: usize> Kernel for Fill<'_, SLOPES> {
         let (s, fresnel) = (splat(self.row.s), splat(self.row.fresnel));
         let one = splat(1.0);
         let below_one = Lanes::splat(simd, BELOW_ONE);
-        let shapes = S::as_mut_simd_f32s(self.shapes).0;
-        let slopes = self.slopes.map(|slopes| S::as_mut_simd_f32s(slopes).0);
-        for (k, cos2) in vectors::<S>(self.cos2).iter().enumerate() {
+        // As long as each other: nothing is checked in the loop.
+        let cos2 = vectors::<S>(self.cos2);
+        let shapes = S::as_mut_simd_f32s(self.shapes).0.iter_mut();
+        let slopes = self
+            .slopes
+            .map(|slopes| &mut S::as_mut_simd_f32s(slopes).0[..cos2.len()]);
+        for (k, (cos2, out)) in cos2.iter().zip(shapes).enumerate() {
             let cos2 = Lanes::new(simd, *cos2);
             let x = x[1].mul_add(cos2, x[0]).min(one);
             let versine = blend[0].mul_add(x, blend[1]);
             let ln = versine.ln_one_minus();
             let shape = (s * ln).exp_negative() * fresnel;
             // A base of 0 is 0 to every power; with s = 0.1 the smallest base that has a logarithm is not.
-            shapes[k] = shape.where_le(versine, below_one).vector();
+            *out = shape.where_le(versine, below_one).vector();
             if SLOPES > 0 {
                 slopes[0][k] = (s * ln).vector();
             }
