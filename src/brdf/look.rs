@@ -24,21 +24,13 @@ pub fn alike(brdf: &Brdf, model: &'static Model) -> Brdf {
         return with(inner.outer(&brdf.params.lobe));
     }
     if let Some(inner) = brdf.model.containing(model) {
-        // Where it is not of the contained model, what both share is kept.
-        let mut lobe = brdf.params.lobe;
-        let count = inner.factors.len();
-        lobe[count..].fill(0.0);
-        lobe[count..count + inner.fixed.len()].copy_from_slice(inner.fixed);
-        return with(inner.inner(&lobe).unwrap_or_default());
+        return with(inner.inner(&brdf.params.lobe));
     }
     let mut thirds = MODELS.iter();
     let third =
         thirds.find_map(|third| Some((third.containing(brdf.model)?, third.containing(model)?)));
     if let Some((from, to)) = third {
-        let mut lobe = from.outer(&brdf.params.lobe);
-        let count = to.factors.len();
-        lobe[count..count + to.fixed.len()].copy_from_slice(to.fixed);
-        return with(to.inner(&lobe).unwrap_or_default());
+        return with(to.inner(&from.outer(&brdf.params.lobe)));
     }
     let mut other = with(model.default_lobe());
     other.params.lobe[0] = of_width(&other, half_width(brdf));

@@ -57,21 +57,13 @@ impl Contained {
         outer
     }
 
-    /// Values of the contained model that equal those of the containing one; `None` where these are of no contained one.
-    pub fn inner(&self, outer: &LobeValues) -> Option<LobeValues> {
-        let count = self.factors.len();
-        if outer[count..]
-            .iter()
-            .zip(self.fixed)
-            .any(|(x, fixed)| x != fixed)
-        {
-            return None;
-        }
+    /// Values of the contained model from the parameters that both share.
+    pub fn inner(&self, outer: &LobeValues) -> LobeValues {
         let mut inner = LobeValues::default();
-        for (k, factor) in self.factors.iter().enumerate() {
-            inner[k] = outer[k] / factor;
+        for ((to, from), factor) in inner.iter_mut().zip(outer).zip(self.factors) {
+            *to = from / factor;
         }
-        Some(inner)
+        inner
     }
 }
 

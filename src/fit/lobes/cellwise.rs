@@ -1,10 +1,11 @@
 //! Kernel of any lobe: evaluated cell by cell in f64, its slopes by differences. Right for every model and slow.
 
+use super::differences::{log_slope, moved};
 use super::fresnel_rows::FresnelRows;
 use super::{LobeKernel, LobeShape, RowSlopes, cosines_at};
 use crate::brdf::{LobeValues, Model};
 use crate::fit::symmetric_cells::CellRow;
-use crate::fit::variables::{ETA_VARIABLE, value, variable};
+use crate::fit::variables::ETA_VARIABLE;
 
 /// A lobe of which nothing is known but its function.
 pub struct Cellwise {
@@ -12,9 +13,6 @@ pub struct Cellwise {
     lobe: LobeValues,
     fresnel: FresnelRows,
 }
-
-/// Step of the central differences in the variables: good to 1e-8.
-const STEP: f64 = 1e-4;
 
 /// Index of each variable of a lobe.
 const VARIABLES_OF_LOBE: [usize; ETA_VARIABLE] = [0, 1, 2, 3];
@@ -42,16 +40,11 @@ impl LobeKernel for Cellwise {
     fn slopes(&self, row: &CellRow, cos2: &[f32], shapes: &mut [f32], slopes: &mut RowSlopes) {
         self.shapes(row, cos2, shapes);
         slopes.constant[ETA_VARIABLE] = self.fresnel.slope[row.theta_d];
-        for (k, param) in self.model.params.iter().enumerate() {
-            let [low, high] = [-STEP, STEP].map(|step| {
-                let mut lobe = self.lobe;
-                lobe[k] = value(param, variable(param, lobe[k]) + step);
-                lobe
-            });
+        for k in 0..self.model.params.len() {
+            let moved = moved(self.model, &self.lobe, k);
             for (slope, cos2) in slopes.varying[k].iter_mut().zip(cos2) {
                 let cosines = cosines_at(row, f64::from(*cos2));
-                let [low, high] = [low, high].map(|lobe| (self.model.lobe)(&lobe, &cosines));
-                let change = (high / low).ln() / (2.0 * STEP);
+                let change = log_slope(moved.map(|lobe| (self.model.lobe)(&lobe, &cosines)));
                 *slope = if change.is_finite() {
                     change as f32
                 } else {

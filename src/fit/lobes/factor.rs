@@ -1,13 +1,14 @@
 //! Kernels of lobes that are a number of the row times a function of the cosines of θi and θo: one that no parameter
 //! changes, or masking and shadowing with the lobe's roughness.
 
+use super::differences::{log_slope, moved};
 use super::fresnel_rows::FresnelRows;
 use super::{LobeKernel, LobeShape, RowSlopes, angles_of, cosines_at};
 use crate::brdf::along_phi_d::{Azimuth, RowAngles, Smith};
 use crate::brdf::{LobeValues, Model};
 use crate::fit::simd::{self, Kernel, Lanes, vectors};
 use crate::fit::symmetric_cells::CellRow;
-use crate::fit::variables::{ETA_VARIABLE, VARIABLES, value, variable};
+use crate::fit::variables::{ETA_VARIABLE, VARIABLES};
 use pulp::Simd;
 
 /// Kernel of a shape whose lobe varies along φd as a factor that no parameter changes.
@@ -217,24 +218,14 @@ struct Rows<F> {
     factor: F,
     model: &'static Model,
     lobe: LobeValues,
-    /// The lobe's parameters a little below and above, one after the other moved, by [`STEP`] in its variable.
+    /// The lobe's parameters a little below and above, one after the other moved, by a step in its variable.
     moved: Vec<[LobeValues; 2]>,
     fresnel: FresnelRows,
 }
 
-/// Step of the central differences in the variables: good to 1e-8.
-const STEP: f64 = 1e-4;
-
 impl<F: Factor> Rows<F> {
     fn new(shape: &LobeShape, factor: F) -> Self {
-        let rows = shape.model.params.iter().enumerate();
-        let moved = rows.map(|(k, row)| {
-            [-STEP, STEP].map(|step| {
-                let mut lobe = shape.lobe;
-                lobe[k] = value(row, variable(row, lobe[k]) + step);
-                lobe
-            })
-        });
+        let moved = (0..shape.model.params.len()).map(|k| moved(shape.model, &shape.lobe, k));
         Self {
             factor,
             model: shape.model,
@@ -288,8 +279,7 @@ impl<F: Factor> LobeKernel for Rows<F> {
         slopes.constant[ETA_VARIABLE] = self.fresnel.slope[row.theta_d];
         if number > 0.0 {
             for (slope, moved) in slopes.constant.iter_mut().zip(&self.moved) {
-                let [low, high] = moved.map(|lobe| (self.model.lobe)(&lobe, &cosines));
-                let change = (high / low).ln() / (2.0 * STEP);
+                let change = log_slope(moved.map(|lobe| (self.model.lobe)(&lobe, &cosines)));
                 // Where a needle's foot falls below what f64 holds, its slope is of no account.
                 *slope = if change.is_finite() { change } else { 0.0 };
             }

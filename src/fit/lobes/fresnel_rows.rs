@@ -1,5 +1,6 @@
 //! The Fresnel factor per bin of θd.
 
+use super::differences::{STEP, log_slope};
 use super::{ANGLES, LobeShape};
 use crate::measured::grid::THETA_D_BINS;
 
@@ -16,13 +17,9 @@ impl FresnelRows {
     pub fn new(shape: &LobeShape) -> Self {
         let reflectance =
             |d: usize, eta: f64| shape.fresnel.reflectance(ANGLES.theta_d[d].cos, eta);
-        // A central difference in ln(η − 1): good to 1e-8, and right for any row of FRESNELS.
-        const STEP: f64 = 1e-4;
-        let moved = |by: f64| 1.0 + (shape.eta - 1.0) * by.exp();
-        let slope = |d: usize| {
-            let (low, high) = (reflectance(d, moved(-STEP)), reflectance(d, moved(STEP)));
-            (high / low).ln() / (2.0 * STEP)
-        };
+        // A difference in ln(η − 1) is right for any row of FRESNELS.
+        let moved = [-STEP, STEP].map(|step| 1.0 + (shape.eta - 1.0) * step.exp());
+        let slope = |d: usize| log_slope(moved.map(|eta| reflectance(d, eta)));
         Self {
             value: std::array::from_fn(|d| reflectance(d, shape.eta)),
             slope: std::array::from_fn(slope),

@@ -5,15 +5,14 @@
 //! evaluated cell by cell.
 
 mod cellwise;
+mod differences;
 mod factor;
 mod fresnel_rows;
 mod power;
 
 use super::options::Variant;
-use super::symmetric_cells::CellRow;
-use super::symmetric_cells::ROW_CELLS;
-use super::variables::ETA_VARIABLE;
-use super::variables::{SearchPoint, VARIABLES, value};
+use super::symmetric_cells::{CellRow, ROW_CELLS};
+use super::variables::{ETA_VARIABLE, SearchPoint, VARIABLES, value};
 use crate::brdf::along_phi_d::{AlongPhiD, RowAngles};
 use crate::brdf::params::ETA;
 use crate::brdf::{Fresnel, LobeValues, Model};
