@@ -158,6 +158,37 @@ impl<'de> Deserialize<'de> for Brdf {
     }
 }
 
+/// A model as its key, for `#[serde(with = …)]`.
+pub mod model_key {
+    use super::{MODELS, Model, keys};
+    use serde::{Deserialize, Deserializer, Serializer};
+
+    /// Writes the key.
+    ///
+    /// # Errors
+    /// Those of the serializer.
+    pub fn serialize<S: Serializer>(model: &&'static Model, to: S) -> Result<S::Ok, S::Error> {
+        to.serialize_str(model.key)
+    }
+
+    /// Reads the key.
+    ///
+    /// # Errors
+    /// Names the keys that there are where it is none of them.
+    pub fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<&'static Model, D::Error> {
+        let key = String::deserialize(from)?;
+        Model::by_key(&key).ok_or_else(|| {
+            let known: Vec<String> = MODELS
+                .iter()
+                .map(|model| format!("`{}`", model.key))
+                .collect();
+            // As serde says it of an enum, so that the nearest is proposed.
+            let known = keys(known.iter().map(String::as_str));
+            serde::de::Error::custom(format!("unknown variant `{key}`, expected one of {known}"))
+        })
+    }
+}
+
 /// Reads one BRDF from a JSON text that is an object or an array of objects; `index` counts from 0.
 ///
 /// # Errors

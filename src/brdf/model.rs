@@ -17,6 +17,8 @@ pub struct Model {
     pub key: &'static str,
     /// Display name, e.g. "Blinn-Phong".
     pub name: &'static str,
+    /// Name before "model" in a sentence, e.g. "combined".
+    pub word: &'static str,
     /// Source of the formula, e.g. "[Nielsen14] after [AkenineMoller08]".
     pub source: &'static str,
     /// Formula of the lobe, in the markup of [`crate::figure::text`].

@@ -1,8 +1,11 @@
-//! Materials in the plane of the combined model's shape: α over s, one dot each. α = 0 is Phong, α = 1 Blinn-Phong.
+//! Materials in the plane of two quantities of a model's fits, one dot each. Where the model equals another, at an end of a
+//! blend say, a line bears that one's name.
 
 mod panel;
+mod quantity;
 
 pub use panel::ScatterSpec;
+pub use quantity::{Quantity, QuantityRow};
 
 use super::drawing::{Drawing, Point};
 use super::palette::{Ink, Role};
@@ -15,10 +18,10 @@ use super::text::{RichText, elided};
 pub struct ScatterDot {
     /// Display name.
     pub name: String,
-    /// Exponent of the combined model, > 0.
-    pub s: f64,
-    /// Blend of the combined model, in [0, 1].
-    pub alpha: f64,
+    /// Value along x; NaN where there is none.
+    pub x: f64,
+    /// Value along y; NaN where there is none.
+    pub y: f64,
     /// The dot's colour.
     pub fill: Role,
     /// The colour of the ring around it, if any.
@@ -27,10 +30,6 @@ pub struct ScatterDot {
     pub shown: bool,
 }
 
-/// Fewest decades of s.
-const DECADES: f64 = 2.0;
-/// α at the lower and upper edge: what is beyond 0 and 1 is room for words.
-const EDGES: (f64, f64) = (-0.1, 1.1);
 /// Largest distance in points at which the pointer still means a dot.
 const NEAR: f32 = 14.0;
 /// Longest name in units of the font size.
@@ -48,35 +47,31 @@ pub struct ScatterPlot {
 }
 
 impl ScatterPlot {
-    /// A plot of `size` points; around all dots without ends of the axis of s.
-    pub fn new(dots: &[ScatterDot], window: Option<[f64; 2]>, size: [f32; 2]) -> Self {
-        let [from, to] = window.unwrap_or_else(|| ends(dots));
+    /// A plot of `size` points.
+    pub fn new(dots: &[ScatterDot], spec: &ScatterSpec, size: [f32; 2]) -> Self {
+        let [x, y] = spec.rows();
+        let over = format!("{} over {}", y.label(), x.label());
         let outline = Outline {
             title: vec![
-                "α over s of the combined model".into(),
-                "α over s, combined".into(),
+                format!("{over} of the {} model", spec.model.word),
+                format!("{over}, {}", spec.model.word),
             ],
             subjects: &[],
-            x: Axis::between(RadialScale::Log, from, to),
+            x: x.axis(spec.window, dots.iter().map(|dot| dot.x)),
             x_steps: Steps::Decimal,
-            x_name: "s, log_{10}".into(),
+            x_name: match x.scale {
+                RadialScale::Linear => x.label(),
+                scale => format!("{}, {}", x.label(), scale.phrase()),
+            },
             panels: vec![Panel {
-                axis: Axis::between(RadialScale::Linear, EDGES.0, EDGES.1),
+                axis: y.axis(spec.y_window, dots.iter().map(|dot| dot.y)),
                 height: 1.0,
                 title: Vec::new(),
             }],
         };
         let mut plot = Plot::new(&outline, size);
         plot.axes();
-        for (alpha, beyond, word) in [(0.0, EDGES.0, "Phong"), (1.0, EDGES.1, "Blinn-Phong")] {
-            let pen = Pen {
-                dash: Some([5.0, 4.0]),
-                ..Pen::thin(Role::Muted.into())
-            };
-            plot.level(0, alpha, pen);
-            let middle = 0.5 * (alpha + beyond);
-            plot.tag(0, from, middle, &RichText::parse(word), Role::Muted);
-        }
+        contained(&mut plot, spec);
         let places = draw(&mut plot, dots);
         let frame = plot.frames[0];
         Self {
@@ -97,6 +92,37 @@ impl ScatterPlot {
     }
 }
 
+/// Lines where the model equals another one, with its name: beside the line, or between it and the end of the axis.
+fn contained(plot: &mut Plot, spec: &ScatterSpec) {
+    let frame = plot.frames[0];
+    let pen = Pen {
+        dash: Some([5.0, 4.0]),
+        ..Pen::thin(Role::Muted.into())
+    };
+    for inner in spec.model.contains {
+        // Models that are equal at a single value of one parameter.
+        let (Some(row), [value]) = (spec.model.params.get(inner.factors.len()), inner.fixed) else {
+            continue;
+        };
+        let [x, y] = spec.quantities().map(|one| one == Quantity::Param(row.id));
+        let inside = |axis: &Axis| (0.0..=1.0).contains(&axis.share(*value));
+        let name = RichText::parse(inner.model.name);
+        if y && inside(&frame.y) {
+            plot.level(0, *value, pen);
+            let at = match value {
+                low if *low == row.domain.0 => 0.5 * (low + frame.y.floor),
+                high if *high == row.domain.1 => 0.5 * (high + frame.y.limit),
+                between => *between,
+            };
+            plot.tag(0, frame.x.floor, at, &name, Role::Muted);
+        }
+        if x && inside(&frame.x) {
+            plot.upright(*value, pen);
+            plot.tag(0, *value, frame.y.limit, &name, Role::Muted);
+        }
+    }
+}
+
 /// Dots, the rings behind them, and names. Gives back where the dots are.
 fn draw(plot: &mut Plot, dots: &[ScatterDot]) -> Vec<Option<Point>> {
     let mut order: Vec<usize> = (0..dots.len()).collect();
@@ -107,8 +133,8 @@ fn draw(plot: &mut Plot, dots: &[ScatterDot]) -> Vec<Option<Point>> {
     for dot in order.iter().map(|index| &dots[*index]) {
         at.push(spots.len());
         let spot = |wider: f32, ink: Ink, named: bool| PlotDot {
-            x: dot.s,
-            y: dot.alpha,
+            x: dot.x,
+            y: dot.y,
             radius: wider + if dot.shown { 6.0 } else { 4.5 },
             ink,
             name: if named {
@@ -128,31 +154,15 @@ fn draw(plot: &mut Plot, dots: &[ScatterDot]) -> Vec<Option<Point>> {
     places
 }
 
-/// Ends for the axis of s, with some room beyond all values: 1 to 1000 where there is none.
-fn ends(dots: &[ScatterDot]) -> [f64; 2] {
-    let logs = dots.iter().map(|dot| dot.s.log10());
-    let (low, high) = logs
-        .filter(|log| log.is_finite())
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), log| {
-            (low.min(log), high.max(log))
-        });
-    if low > high {
-        return [1.0, 1e3];
-    }
-    let half = (0.5 * (high - low) * 1.12 + 0.1).max(0.5 * DECADES);
-    let middle = 0.5 * (low + high);
-    [middle - half, middle + half].map(|log| 10f64.powf(log))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn dot(name: &str, s: f64, alpha: f64) -> ScatterDot {
+    fn dot(name: &str, x: f64, y: f64) -> ScatterDot {
         ScatterDot {
             name: name.into(),
-            s,
-            alpha,
+            x,
+            y,
             fill: Role::Fixed([200, 10, 10]),
             ring: None,
             shown: false,
@@ -166,7 +176,7 @@ mod tests {
             dot("b", 1000.0, 1.0),
             dot("c", 100.0, 0.25),
         ];
-        let plot = ScatterPlot::new(&dots, None, [600.0, 400.0]);
+        let plot = ScatterPlot::new(&dots, &ScatterSpec::default(), [600.0, 400.0]);
         // Two decades and 0.22 at each end, so that no dot lies on the frame.
         let PlotFrame { min, max, x, .. } = plot.frame;
         assert!((x.floor.log10() - 0.78).abs() < 1e-9 && (x.limit.log10() - 3.22).abs() < 1e-9);
@@ -213,7 +223,7 @@ mod tests {
             })
             .collect();
         dots[7].shown = true;
-        let plot = ScatterPlot::new(&dots, None, [300.0, 200.0]);
+        let plot = ScatterPlot::new(&dots, &ScatterSpec::default(), [300.0, 200.0]);
         let names: Vec<String> = plot
             .drawing
             .labels()
@@ -228,11 +238,110 @@ mod tests {
         assert_eq!(plot.places.len(), 40);
     }
 
+    fn of_model(key: &str) -> ScatterSpec {
+        ScatterSpec {
+            model: crate::brdf::Model::by_key(key).expect("a model"),
+            ..ScatterSpec::default()
+        }
+    }
+
+    fn texts(plot: &ScatterPlot) -> Vec<String> {
+        plot.drawing
+            .labels()
+            .map(|label| label.text.plain())
+            .collect()
+    }
+
+    #[test]
+    fn axes_and_words_are_those_of_the_rows() {
+        let [low, high] = [dot("low", 0.01, 1.2), dot("high", 0.3, 2.4)];
+        let plot = ScatterPlot::new(&[low, high], &of_model("ggx"), [600.0, 400.0]);
+        let words = texts(&plot);
+        assert!(
+            words.contains(&"η over a of the GGX model".into()),
+            "{words:?}"
+        );
+        assert!(!words.contains(&"Phong".into()), "{words:?}");
+        assert_eq!(plot.frame.x.scale, RadialScale::Log);
+        assert_eq!(plot.frame.y.scale, RadialScale::Linear);
+        let [low, high] = [plot.places[0], plot.places[1]].map(|place| place.expect("a place"));
+        assert!(low[0] < high[0] && low[1] > high[1]);
+        // Along x its lines stand upright, and the words go with the axis.
+        let turned = ScatterSpec {
+            x: Some(Quantity::Param(crate::brdf::ParamId("alpha"))),
+            y: Some(Quantity::Param(crate::brdf::ParamId("s"))),
+            ..ScatterSpec::default()
+        };
+        let plot = ScatterPlot::new(&[dot("a", 1.0, 10.0)], &turned, [600.0, 400.0]);
+        let words = texts(&plot);
+        for word in ["Phong", "Blinn-Phong", "s over α of the combined model"] {
+            assert!(words.contains(&word.into()), "{words:?}");
+        }
+        let inside = ScatterPlot::new(
+            &[dot("a", 50.0, 0.7)],
+            &of_model("lafortune"),
+            [600.0, 400.0],
+        );
+        let words = texts(&inside);
+        assert!(
+            !words.contains(&"Phong".into()),
+            "c_z = 1 is not in sight: {words:?}"
+        );
+        let around = [dot("a", 50.0, 0.7), dot("b", 50.0, 1.3)];
+        let words = texts(&ScatterPlot::new(
+            &around,
+            &of_model("lafortune"),
+            [600.0, 400.0],
+        ));
+        assert!(words.contains(&"Phong".into()), "{words:?}");
+    }
+
+    #[test]
+    fn every_quantity_of_every_model_is_an_axis() {
+        for model in crate::brdf::MODELS {
+            let mut brdf = crate::brdf::Brdf::new(model, crate::brdf::Fresnel::Exact);
+            brdf.params.k_s = [0.1, 4.0, 0.1];
+            let all = Quantity::all(model);
+            for (x, y) in all.iter().zip(all.iter().rev()) {
+                let spec = ScatterSpec {
+                    model,
+                    x: Some(*x),
+                    y: Some(*y),
+                    ..ScatterSpec::default()
+                };
+                let [x, y] = spec.values(&brdf, Some(0.2)).expect("its own");
+                let plot = ScatterPlot::new(&[dot("a", x, y)], &spec, [600.0, 400.0]);
+                assert!(plot.places[0].is_some(), "{} {spec:?}", model.key);
+                // Of the ends that are shown all can be asked for again.
+                let PlotFrame { x, y, .. } = plot.frame;
+                for (row, axis) in spec.rows().iter().zip([x, y]) {
+                    assert!(
+                        row.are_ends([axis.floor, axis.limit]),
+                        "{} {spec:?}",
+                        model.key
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_contained_model_is_where_it_equals_the_shown_one() {
+        let spec = ScatterSpec::default();
+        let mut brdf = crate::brdf::Brdf::new(&crate::brdf::PHONG, crate::brdf::Fresnel::None);
+        brdf.params.lobe[0] = 8.0;
+        assert_eq!(spec.values(&brdf, None), Some([8.0, 0.0]));
+        brdf.model = &crate::brdf::BLINN_PHONG;
+        assert_eq!(spec.values(&brdf, None), Some([2.0, 1.0]));
+        assert_eq!(of_model("ggx").values(&brdf, None), None);
+        assert_eq!(of_model("phong").values(&brdf, None), None);
+    }
+
     #[test]
     fn nothing_and_nonsense_are_drawn_too() {
         for dots in [vec![], vec![dot("x", f64::NAN, 2.0), dot("y", 1e300, -1.0)]] {
             for size in [[300.0, 200.0], [10.0, 10.0]] {
-                let plot = ScatterPlot::new(&dots, None, size);
+                let plot = ScatterPlot::new(&dots, &ScatterSpec::default(), size);
                 assert!(
                     plot.places
                         .iter()

@@ -22,6 +22,7 @@ use crate::geom::Cosines;
 pub static MODEL: Model = Model {
     key: "beckmann",
     name: "Beckmann",
+    word: "Beckmann",
     source: "[Walter07]",
     formula: "D G_{1}(ω_{i}) G_{1}(ω_{o}) / (4 (ω_{i}·n)(ω_{o}·n))",
     params: &[microfacet::ROUGHNESS],

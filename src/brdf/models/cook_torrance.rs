@@ -23,6 +23,7 @@ use crate::geom::Cosines;
 pub static MODEL: Model = Model {
     key: "cook-torrance",
     name: "Cook-Torrance",
+    word: "Cook-Torrance",
     source: "[CookTorrance82], as fitted by [Ngan05]",
     formula: "D G / (4 (ω_{i}·n)(ω_{o}·n))",
     params: &[ROUGHNESS],

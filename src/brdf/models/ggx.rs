@@ -23,6 +23,7 @@ use std::f64::consts::PI;
 pub static MODEL: Model = Model {
     key: "ggx",
     name: "GGX",
+    word: "GGX",
     source: "[Walter07]",
     formula: "D G_{1}(ω_{i}) G_{1}(ω_{o}) / (4 (ω_{i}·n)(ω_{o}·n))",
     params: &[microfacet::ROUGHNESS],

@@ -1,6 +1,9 @@
 //! The materials on paper.
 
+use super::quantity::{ERROR, Quantity, QuantityRow};
 use super::{ScatterDot, ScatterPlot};
+use crate::brdf::json::model_key;
+use crate::brdf::{Brdf, COMBINED, Model};
 use crate::figure::faults::{Faults, list};
 use crate::figure::palette::Role;
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView};
@@ -8,34 +11,122 @@ use crate::figure::subject::Source;
 use crate::figure::table::DataTable;
 use serde::{Deserialize, Serialize};
 
-/// Ends that are farther out or nearer to each other show nothing more.
-const ENDS: [f64; 2] = [1e-4, 1e8];
-const CLOSEST: f64 = 1.05;
-
-/// The plot of materials on paper: the models by s and α of the combined model, in the colours of their series.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+/// The plot of materials on paper: the fits of one model by two of its quantities, in the colours of their series.
+///
+/// JSON has what differs from the combined model by its first two parameters, so that figures from before there was a choice
+/// stay as they are.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct ScatterSpec {
-    /// Ends of the axis of s; around all dots without.
+    /// Ends of the horizontal axis; around all dots without.
     pub window: Option<[f64; 2]>,
+    /// Ends of the vertical axis; around all dots, or all possible values, without.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub y_window: Option<[f64; 2]>,
+    /// Model whose fits are shown.
+    #[serde(with = "model_key", skip_serializing_if = "is_first")]
+    pub model: &'static Model,
+    /// Quantity along x; the first parameter of the lobe without.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub x: Option<Quantity>,
+    /// Quantity along y; the second parameter of the lobe, or η, without.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub y: Option<Quantity>,
+    /// E of each subject as a share, in their order, where an axis shows it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub errors: Vec<f64>,
 }
 
+impl Default for ScatterSpec {
+    fn default() -> Self {
+        Self {
+            window: None,
+            y_window: None,
+            model: &COMBINED,
+            x: None,
+            y: None,
+            errors: Vec::new(),
+        }
+    }
+}
+
+fn is_first(model: &&'static Model) -> bool {
+    *model == ScatterSpec::default().model
+}
+
+/// Values of E: those of a fit, and of models that are far off.
+const ERRORS: [f64; 2] = [0.0, 1e12];
+
 impl ScatterSpec {
-    /// Whether the axis of s can have these ends.
-    pub fn are_ends([low, high]: [f64; 2]) -> bool {
-        low >= ENDS[0] && high <= ENDS[1] && high >= CLOSEST * low
+    /// Quantities along x and y.
+    pub fn quantities(&self) -> [Quantity; 2] {
+        let [x, y] = Quantity::first(self.model);
+        [self.x.unwrap_or(x), self.y.unwrap_or(y)]
+    }
+
+    /// Rows of the quantities along x and y: those that the model has first in place of others.
+    pub fn rows(&self) -> [QuantityRow; 2] {
+        let [x, y] = self.quantities();
+        let first = Quantity::first(self.model);
+        [(x, first[0]), (y, first[1])].map(|(wanted, first)| {
+            let row = wanted.row(self.model).or_else(|| first.row(self.model));
+            row.unwrap_or(ERROR)
+        })
+    }
+
+    /// Whether an axis shows E.
+    pub fn shows_error(&self) -> bool {
+        self.quantities().contains(&Quantity::Error)
+    }
+
+    /// Values of a model with its E along x and y; `None` where it is neither the shown model nor one that this contains.
+    pub fn values(&self, brdf: &Brdf, error: Option<f64>) -> Option<[f64; 2]> {
+        let mut shown = *brdf;
+        if brdf.model != self.model {
+            let contained = self.model.containing(brdf.model)?;
+            shown.model = self.model;
+            shown.params.lobe = contained.outer(&brdf.params.lobe);
+        }
+        // What has no value has no place, and keeps its name in the table.
+        let value = |quantity: Quantity| quantity.value(&shown, error).unwrap_or(f64::NAN);
+        Some(self.quantities().map(value))
     }
 }
 
 impl PanelView for ScatterSpec {
     fn sanitize(&mut self, faults: &mut Faults) {
-        if let Some(ends) = self.window.filter(|ends| !Self::are_ends(*ends)) {
-            let [low, high] = ENDS;
-            let expected = format!(
-                "two values from {low:?} to {high:?}, the second at least {CLOSEST} times the first, or null"
-            );
-            faults.add("window", list(&ends), expected);
-            self.window = None;
+        let model = self.model;
+        for (key, quantity) in [("x", &mut self.x), ("y", &mut self.y)] {
+            if let Some(unknown) = quantity.filter(|quantity| quantity.row(model).is_none()) {
+                let keys: Vec<&str> = Quantity::all(model).iter().map(|one| one.key()).collect();
+                let expected = format!("one of {}, which {} has", keys.join(", "), model.key);
+                faults.add(key, format_args!("{:?}", unknown.key()), expected);
+                *quantity = None;
+            }
+        }
+        let [x, y] = self.rows();
+        for (key, window, row) in [
+            ("window", &mut self.window, x),
+            ("y_window", &mut self.y_window, y),
+        ] {
+            if let Some(ends) = window.filter(|ends| !row.are_ends(*ends)) {
+                faults.add(key, list(&ends), row.expected_ends());
+                *window = None;
+            }
+        }
+        faults.inside("errors", |faults| {
+            for (position, error) in self.errors.iter_mut().enumerate() {
+                faults.number(&position.to_string(), error, ERRORS);
+            }
+        });
+    }
+
+    fn check_subjects(&self, count: usize, faults: &mut Faults) {
+        if self.shows_error() && self.errors.len() != count {
+            let expected = format!("{count}, the E of each subject of the panel as a share");
+            faults.inside("errors", |faults| {
+                faults.add("length", self.errors.len(), expected);
+            });
         }
     }
 
@@ -44,17 +135,17 @@ impl PanelView for ScatterSpec {
     }
 
     fn draw(&self, input: &PanelInput) -> PanelDrawing {
-        let dots: Vec<ScatterDot> = input
-            .subjects
-            .iter()
-            .filter_map(|subject| {
+        let subjects = input.subjects.iter().enumerate();
+        let dots: Vec<ScatterDot> = subjects
+            .filter_map(|(position, subject)| {
                 let Source::Model(brdf) = &subject.source else {
                     return None;
                 };
+                let [x, y] = self.values(brdf, self.errors.get(position).copied())?;
                 Some(ScatterDot {
                     name: subject.label.clone(),
-                    s: brdf.params.lobe[0],
-                    alpha: brdf.params.lobe[1],
+                    x,
+                    y,
                     fill: Role::Series(subject.series),
                     ring: None,
                     shown: false,
@@ -62,19 +153,22 @@ impl PanelView for ScatterSpec {
             })
             .collect();
         PanelDrawing {
-            table: table(&dots),
+            table: self.table(&dots),
             axis: None,
-            drawing: ScatterPlot::new(&dots, self.window, input.size).drawing,
+            drawing: ScatterPlot::new(&dots, self, input.size).drawing,
         }
     }
 }
 
-/// Materials by s and α.
-fn table(dots: &[ScatterDot]) -> DataTable {
-    let mut table = DataTable::new(&["material", "s", "alpha"]);
-    for dot in dots {
-        let name = dot.name.as_str().into();
-        table.rows.push(vec![name, dot.s.into(), dot.alpha.into()]);
+impl ScatterSpec {
+    /// Materials by the two quantities.
+    fn table(&self, dots: &[ScatterDot]) -> DataTable {
+        let [x, y] = self.rows();
+        let mut table = DataTable::new(&["material", x.column, y.column]);
+        for dot in dots {
+            let name = dot.name.as_str().into();
+            table.rows.push(vec![name, dot.x.into(), dot.y.into()]);
+        }
+        table
     }
-    table
 }
