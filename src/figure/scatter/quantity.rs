@@ -2,8 +2,7 @@
 
 use crate::brdf::params::{self, Scale};
 use crate::brdf::{Brdf, Model, Param, ParamId};
-use crate::figure::RadialScale;
-use crate::figure::scale::Axis;
+use crate::figure::scale::{Axis, RadialScale};
 use crate::geom::color::luminance;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
