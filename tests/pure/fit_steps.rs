@@ -9,8 +9,8 @@ use grazing::app::state::fitting::run::FitUpdates;
 use grazing::app::state::fitting::settings::FitSettings;
 use grazing::app::state::material::{MaterialId, Origin};
 use grazing::app::views::lobes::settings::LobeSettings;
-use grazing::brdf::PHONG_FAMILY;
 use grazing::brdf::{Brdf, Fresnel, ParamId};
+use grazing::brdf::{MODELS, PHONG_FAMILY};
 use grazing::figure::lobes::LobeScale;
 use grazing::fit::{
     EndReason, Errors, FitProgress, Outcome, ProblemError, Stage, StageSet, Variant, Weight,
@@ -303,7 +303,7 @@ fn closing_the_material_ends_its_fit() {
 fn several_variants_leave_the_model_alone() {
     let mut state = state(1);
     let before = shown(&state);
-    let tasks = run(&mut state, Command::FitAll);
+    let tasks = run(&mut state, Command::Compare);
     let variants = Variant::of(PHONG_FAMILY, before.fresnel);
     let Task::Fit(task) = &tasks[0] else {
         panic!("{tasks:?}")
@@ -332,14 +332,53 @@ fn several_variants_leave_the_model_alone() {
 }
 
 #[test]
-fn six_without_fresnel_are_those_with_the_exact_one() {
+fn what_is_compared_is_what_was_ticked() {
     let mut state = state(1);
-    run(&mut state, Command::UseFresnel(Fresnel::None));
-    let tasks = run(&mut state, Command::FitAll);
-    let Task::Fit(task) = &tasks[0] else {
-        panic!("{tasks:?}")
+    let asked = |state: &mut State| match run(state, Command::Compare).as_slice() {
+        [Task::Fit(task)] => task.variants.clone(),
+        _ => Vec::new(),
     };
-    assert_eq!(task.variants, Variant::of(PHONG_FAMILY, Fresnel::Exact));
+    run(&mut state, Command::UseFresnel(Fresnel::None));
+    assert_eq!(
+        asked(&mut state),
+        Variant::of(PHONG_FAMILY, Fresnel::Exact),
+        "the shown model does not matter"
+    );
+    run(&mut state, Command::CompareEvery);
+    assert_eq!(asked(&mut state), Variant::of(MODELS, Fresnel::Exact));
+    run(&mut state, Command::ToggleComparedFresnel(Fresnel::None));
+    run(&mut state, Command::CompareFamily);
+    run(&mut state, Command::ToggleCompared(0));
+    run(&mut state, Command::ToggleCompared(3));
+    let fresnel = Fresnel::Exact;
+    let models = [MODELS[1], MODELS[2], MODELS[3]];
+    let wanted = models.map(|model| Variant { model, fresnel });
+    assert_eq!(asked(&mut state), wanted);
+    // None is asked for, and what runs goes on.
+    run(&mut state, Command::ToggleComparedFresnel(Fresnel::Exact));
+    assert!(!Command::Compare.is_enabled(&state) && asked(&mut state).is_empty());
+    assert!(state.fit.run.as_ref().is_some_and(|run| !run.stopping));
+}
+
+#[test]
+fn one_model_to_compare_leaves_the_shown_one_alone() {
+    let mut state = state(1);
+    let before = shown(&state);
+    run(&mut state, Command::CompareEvery);
+    for index in 1..MODELS.len() {
+        run(&mut state, Command::ToggleCompared(index));
+    }
+    run(&mut state, Command::ToggleComparedFresnel(Fresnel::Exact));
+    let number = job(&run(&mut state, Command::Compare));
+    let brdf = Brdf::new(MODELS[0], Fresnel::None);
+    say(&mut state, number, 0, brdf);
+    assert_eq!(shown(&state), before);
+    done(
+        &mut state,
+        number,
+        vec![outcome(brdf, 0.1, EndReason::Converged)],
+    );
+    assert_eq!((shown(&state), fits(&state)), (before, 1));
 }
 
 #[test]

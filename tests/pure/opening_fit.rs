@@ -108,7 +108,7 @@ fn of_many_the_shown_one_goes_first_and_the_others_follow() {
 fn a_fit_that_a_person_starts_is_waited_for() {
     let mut state = State::default();
     let opening = job(&open(&mut state, 0));
-    let asked = job(&run(&mut state, Command::FitAll));
+    let asked = job(&run(&mut state, Command::Compare));
     assert_ne!(opening, asked);
     open(&mut state, 1);
     assert_eq!(state.fit.run.as_ref().map(|run| run.job), Some(asked));

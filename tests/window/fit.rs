@@ -11,7 +11,7 @@ use grazing::app::state::State;
 use grazing::app::state::fitting::kept::variant_name;
 use grazing::app::state::fitting::settings::FitSettings;
 use grazing::brdf::PHONG_FAMILY;
-use grazing::brdf::{Brdf, Fresnel, MODELS, ParamId};
+use grazing::brdf::{Brdf, Fresnel, MODELS, Model, ParamId};
 use grazing::fit::options::NO_LIMIT;
 use grazing::fit::{self, EndReason, FitOptions, Outcome, Problem, STAGES, Stage, Variant, Weight};
 use grazing::measured::samples::SAMPLES;
@@ -195,11 +195,11 @@ fn rows(window: &Window) -> Vec<String> {
 
 #[test]
 #[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
-fn all_six_fill_a_table_that_sorts_shows_and_overlays() {
+fn the_models_to_compare_fill_a_table_that_sorts_shows_and_overlays() {
     let mut window = window(vec![], vec![]);
     only(&mut window, &[Stage::Amplitudes]);
     let before = shown(window.state().state());
-    click(&mut window, "All six");
+    click(&mut window, "Start to compare");
     settle(&mut window, |state| {
         words(state) > 0 || state.fit.run.is_none()
     });
@@ -328,4 +328,72 @@ fn the_window_goes_in_the_middle_of_a_fit() {
         .map(|run| run.cancel.clone());
     eframe::App::on_exit(window.state_mut());
     assert!(cancel.is_none_or(|cancel| cancel.is_set()));
+}
+
+/// Labels of the check boxes whose name passes.
+fn ticks(window: &Window, wanted: impl Fn(&str) -> bool) -> Vec<String> {
+    window
+        .query_all_by_role(Role::CheckBox)
+        .filter_map(|node| node.accesskit_node().label())
+        .filter(|label| wanted(label))
+        .collect()
+}
+
+#[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
+fn models_to_compare_are_ticked_and_columns_chosen() {
+    let mut window = window(vec![], vec![]);
+    only(&mut window, &[Stage::Amplitudes]);
+    click(&mut window, "Models to compare");
+    let is_model = |label: &str| MODELS.iter().any(|model| model.name == label);
+    assert_eq!(ticks(&window, is_model).len(), MODELS.len());
+    // The menu stays open from tick to tick.
+    for name in ["GGX", "Phong", "None"] {
+        window.get_by_role_and_label(Role::CheckBox, name).click();
+        window.run_steps(2);
+    }
+    let ggx = Model::by_key("ggx").expect("a model");
+    let wanted: Vec<Variant> = [MODELS[1], MODELS[2], ggx]
+        .map(|model| Variant {
+            model,
+            fresnel: Fresnel::Exact,
+        })
+        .into();
+    assert_eq!(window.state().state().prefs.comparison.variants(), wanted);
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    assert!(ticks(&window, is_model).is_empty());
+    click(&mut window, "Start to compare");
+    settle(&mut window, |state| state.fit.run.is_none());
+    assert_eq!(rows(&window).len(), wanted.len());
+
+    // Only what these models have can be chosen, and what is hidden has no head.
+    click(&mut window, "Columns");
+    let columns = ticks(&window, |label| label.starts_with("column "));
+    let has = |key: &str| {
+        columns
+            .iter()
+            .any(|label| label == &format!("column {key}"))
+    };
+    assert!(
+        has("roughness") && has("alpha") && !has("c_z"),
+        "{columns:?}"
+    );
+    for key in ["roughness", "evaluations"] {
+        let label = format!("column {key}");
+        window.get_by_role_and_label(Role::CheckBox, &label).click();
+        window.run_steps(2);
+    }
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    assert!(window.query_by_label("Sort by a, m").is_none());
+    click(&mut window, "Sort by evaluations");
+    click(&mut window, "Sort by evaluations");
+    let kept = |name: &String| {
+        let fits = &window.state().state().current().expect("a material").0.fits;
+        let kept = fits
+            .iter()
+            .find(|kept| variant_name(kept.variant()) == *name);
+        kept.expect("a row").outcome.evaluations
+    };
+    let evaluations: Vec<usize> = rows(&window).iter().map(kept).collect();
+    assert!(evaluations.is_sorted_by(|a, b| a >= b), "{evaluations:?}");
 }

@@ -6,9 +6,10 @@ pub mod table;
 pub use crate::app::msg::command::Command;
 
 use crate::app::command::table::{Item, MENUS, Row};
-use crate::app::state::State;
+use crate::app::state::{State, folder_fit};
 use crate::app::views::lobes::settings::LobeSettings;
 use crate::app::views::sphere::settings::SphereSettings;
+use crate::brdf::{MODELS, PHONG_FAMILY};
 use crate::geom::sphere::LIGHT_PRESETS;
 use crate::measured::lookup::Lookup;
 use egui::KeyboardShortcut;
@@ -110,7 +111,8 @@ impl Command {
             Self::CopyPicture | Self::CopyNumbers => state.meant_view().is_some(),
             Self::CopyProbe => state.probe().is_some() && state.current().is_some(),
             Self::Unpin => state.pinned.is_some() && state.dialog.is_none(),
-            Self::Fit | Self::FitAll => state.fit_blocked().is_none(),
+            Self::Fit => state.fit_blocked().is_none(),
+            Self::Compare => state.comparison_blocked().is_none(),
             Self::CancelFit => {
                 state.dialog.is_none() && state.fit.run.as_ref().is_some_and(|run| !run.stopping)
             }
@@ -120,8 +122,10 @@ impl Command {
                 state.scene.opened.len() > 1 || state.library.folder.is_some()
             }
             Self::CloseFolder => state.library.folder.is_some(),
-            Self::FitFolder | Self::FitFolderAll => {
-                crate::app::state::folder_fit::blocked(state).is_none()
+            Self::FitFolder => folder_fit::blocked(state).is_none(),
+            Self::CompareFolder => {
+                let blocked = folder_fit::blocked(state);
+                blocked.or(state.prefs.comparison.blocked()).is_none()
             }
             Self::CancelFitFolder => state.library.run.is_some(),
             Self::SaveFits => state.library.folder_fits().next().is_some(),
@@ -136,6 +140,12 @@ impl Command {
         Some(match self {
             Self::UseModel(index) => brdf.is_some_and(|brdf| brdf.model.index() == index),
             Self::UseFresnel(fresnel) => brdf.is_some_and(|brdf| brdf.fresnel == fresnel),
+            Self::CompareFamily => state.prefs.comparison.is_of(PHONG_FAMILY),
+            Self::CompareEvery => state.prefs.comparison.is_of(MODELS),
+            Self::ToggleCompared(index) => MODELS
+                .get(index)
+                .is_some_and(|model| state.prefs.comparison.has_model(model)),
+            Self::ToggleComparedFresnel(fresnel) => state.prefs.comparison.has_fresnel(fresnel),
             Self::ToggleKeepOptimal => state.fit.keep_optimal,
             Self::ToggleFitOnOpening => state.prefs.fit_on_opening.0,
             Self::ToggleFromSliders => state.fit.settings.from_sliders,

@@ -118,7 +118,7 @@ mod tests {
     fn letters_in_order_are_enough() {
         assert_eq!(found("expfig")[0], Command::ExportFigure);
         assert_eq!(found("ef")[0], Command::ExportFigure);
-        assert_eq!(found("fitall")[0], Command::FitAll);
+        assert_eq!(found("compa")[0], Command::Compare);
         assert_eq!(found("THEME DARK")[0], Command::UseTheme(Theme::Dark));
         assert_eq!(found("dark theme")[0], Command::UseTheme(Theme::Dark));
         assert_eq!(found("keep ρd")[0], Command::ToggleKeepOptimal);

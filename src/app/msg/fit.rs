@@ -1,8 +1,8 @@
 //! Messages and tasks of fitting.
 
-use crate::app::state::fitting::kept::SortBy;
 use crate::app::state::fitting::run::FitUpdates;
 use crate::app::state::fitting::settings::{FitSettings, Setup};
+use crate::app::state::fitting::table::Column;
 use crate::app::state::job::CancelFlag;
 use crate::app::state::material::MaterialId;
 use crate::brdf::Brdf;
@@ -27,8 +27,10 @@ pub enum FitMsg {
     Show(Variant),
     /// Draw the kept fit of this variant beside the model, or no longer.
     Overlay(Variant, bool),
-    /// Order the table.
-    SortBy(SortBy),
+    /// Order the table by a column; the other way round where it is.
+    SortBy(Column),
+    /// Show a column of the table, or hide it.
+    ShowColumn(Column, bool),
     /// The best ρ_d and k_s for a model; only these two are taken from it.
     AmplitudesRefit {
         number: u64,
@@ -75,7 +77,7 @@ pub struct RefitAmplitudes {
     pub table: Arc<Table>,
     /// Settings of the fit.
     pub setup: Setup,
-    /// Model whose s, α and η are kept.
+    /// Model whose lobe and η are kept.
     pub brdf: Brdf,
     /// Whether the answer is a step of its own: no edit asked for it.
     pub as_step: bool,

@@ -7,6 +7,7 @@ use crate::app::panels::{fit_result, fit_stages};
 use crate::app::state::State;
 use crate::app::state::fitting::kept::short_variant_name;
 use crate::app::state::fitting::settings::{FitSettings, widest_bounds};
+use crate::app::widgets::compare;
 use crate::app::widgets::controls::{plain_number, tick_ui};
 use crate::app::widgets::paint::rich_text_job;
 use crate::brdf::{Brdf, Param, ParamId};
@@ -22,12 +23,17 @@ const LIMIT_DEG: std::ops::RangeInclusive<f64> = 20.0..=90.0;
 pub fn head_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     ui.horizontal(|ui| {
         ui.heading("Fit");
-        if let Some((_, opened)) = state.current() {
-            let variant = short_variant_name(Variant::from(&opened.brdf));
-            ui.weak(variant).on_hover_text("Model that is fitted");
-        }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             buttons_ui(ui, state, out);
+            let Some((_, opened)) = state.current() else {
+                return;
+            };
+            let variant = short_variant_name(Variant::from(&opened.brdf));
+            ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
+                let name = egui::RichText::new(&variant).weak();
+                ui.add(egui::Label::new(name).truncate())
+                    .on_hover_text(format!("{variant}: the model that is fitted"));
+            });
         });
     });
 }
@@ -64,22 +70,33 @@ pub fn buttons_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     } else {
         (Command::Fit, "Fit", "Start the fit")
     };
-    let why_not = state.fit_blocked().unwrap_or_default();
-    let mut button = |ui: &mut egui::Ui, command: Command, button: egui::Button, name: &str| {
-        let response = ui
-            .add_enabled(command.is_enabled(state), button)
-            .on_hover_text(command.hint(ui.ctx()))
-            .on_disabled_hover_text(why_not);
-        // The menu has an entry of the same word.
-        ui.ctx()
-            .accesskit_node_builder(response.id, |node| node.set_label(name));
-        if response.clicked() {
-            out.push(Msg::Run(command));
-        }
-    };
     let main = egui::Button::new(name).min_size(egui::vec2(64.0, 0.0));
-    button(ui, command, main.selected(!running), label);
-    button(ui, Command::FitAll, egui::Button::new("All six"), "All six");
+    let main = main.selected(!running);
+    button_ui(ui, state, command, main, (label, state.fit_blocked()), out);
+    compare::choice_ui(ui, state, "panel", out);
+    let why_not = state.comparison_blocked();
+    let (command, text) = (Command::Compare, egui::Button::new("Compare"));
+    button_ui(ui, state, command, text, ("Start to compare", why_not), out);
+}
+
+/// Draws the button of a command. `name` is for screen readers, where a menu has an entry of the same word.
+fn button_ui(
+    ui: &mut egui::Ui,
+    state: &State,
+    command: Command,
+    button: egui::Button,
+    (name, why_not): (&str, Option<&str>),
+    out: &mut Vec<Msg>,
+) {
+    let response = ui
+        .add_enabled(command.is_enabled(state), button)
+        .on_hover_text(command.hint(ui.ctx()))
+        .on_disabled_hover_text(why_not.unwrap_or_default());
+    ui.ctx()
+        .accesskit_node_builder(response.id, |node| node.set_label(name));
+    if response.clicked() {
+        out.push(Msg::Run(command));
+    }
 }
 
 fn weight_ui(ui: &mut egui::Ui, settings: &mut FitSettings) {

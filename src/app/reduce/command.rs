@@ -17,7 +17,7 @@ use crate::app::state::material::Origin;
 use crate::app::state::notice::Dialog;
 use crate::app::views::lobes::settings::LobeSettings;
 use crate::app::views::sphere::settings::SphereSettings;
-use crate::brdf::{Brdf, Fresnel, MODELS, Model};
+use crate::brdf::{Brdf, Fresnel, MODELS, Model, PHONG_FAMILY};
 use crate::geom::sphere::LIGHT_PRESETS;
 use crate::measured::lookup::Lookup;
 use crate::measured::samples::SAMPLES;
@@ -84,8 +84,16 @@ pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
             edit_brdf(state, |brdf| change_fresnel(brdf, fresnel));
             return fit::refit(state);
         }
-        Command::Fit => return fit::start(state, false),
-        Command::FitAll => return fit::start(state, true),
+        Command::Fit => return fit::start(state),
+        Command::Compare => return fit::compare(state),
+        Command::CompareFamily => state.prefs.comparison.set_models(PHONG_FAMILY),
+        Command::CompareEvery => state.prefs.comparison.set_models(MODELS),
+        Command::ToggleCompared(index) => {
+            if let Some(model) = MODELS.get(index) {
+                state.prefs.comparison.toggle_model(model);
+            }
+        }
+        Command::ToggleComparedFresnel(fresnel) => state.prefs.comparison.toggle_fresnel(fresnel),
         Command::CancelFit => fit::stop(state),
         Command::ToggleKeepOptimal => {
             state.fit.keep_optimal = !state.fit.keep_optimal;
@@ -110,7 +118,7 @@ pub(crate) fn run(state: &mut State, command: Command) -> Vec<Task> {
         Command::OpenFolder => return vec![Task::Library(LibraryTask::Pick)],
         Command::CloseFolder => library::close(state),
         Command::FitFolder => return folder_fit::start(state, false),
-        Command::FitFolderAll => return folder_fit::start(state, true),
+        Command::CompareFolder => return folder_fit::start(state, true),
         Command::CancelFitFolder => state.library.run = None,
         Command::SaveFits => {
             let fits = state.library.folder_fits().cloned().collect();

@@ -10,7 +10,7 @@ use crate::app::state::job::CancelFlag;
 use crate::app::state::material::{Material, MaterialId, Opened};
 use crate::app::state::notice::Severity;
 use crate::app::state::views::ViewId;
-use crate::brdf::{Brdf, Fresnel, PHONG_FAMILY};
+use crate::brdf::Brdf;
 use crate::fit::{ProblemError, Variant};
 
 /// Changes the state.
@@ -56,7 +56,8 @@ pub(crate) fn apply(state: &mut State, msg: FitMsg) -> Vec<Task> {
                 kept.overlaid = on;
             }
         }
-        FitMsg::SortBy(sort) => state.fit.sort = sort,
+        FitMsg::SortBy(column) => state.fit.table.sort_by(column),
+        FitMsg::ShowColumn(column, shown) => state.fit.table.show(column, shown),
         FitMsg::AmplitudesRefit {
             number,
             material,
@@ -78,33 +79,35 @@ pub(crate) fn apply(state: &mut State, msg: FitMsg) -> Vec<Task> {
     Vec::new()
 }
 
-/// Starts to fit the shown model, or all six variants; what runs is stopped.
-pub(crate) fn start(state: &mut State, all: bool) -> Vec<Task> {
-    if state.fit_blocked().is_some() {
+/// Starts to fit the shown model; what runs is stopped.
+pub(crate) fn start(state: &mut State) -> Vec<Task> {
+    match state.current() {
+        Some((_, opened)) if state.fit_blocked().is_none() => {
+            let variant = Variant::from(&opened.brdf);
+            start_run(state, vec![variant], false)
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Starts to fit the models to compare, and shows their table; what runs is stopped.
+pub(crate) fn compare(state: &mut State) -> Vec<Task> {
+    if state.comparison_blocked().is_some() {
         return Vec::new();
     }
+    state.tiles.show(ViewId::Fits);
+    start_run(state, state.prefs.comparison.variants(), true)
+}
+
+fn start_run(state: &mut State, variants: Vec<Variant>, compares: bool) -> Vec<Task> {
     stop(state);
     state.fit.refit_from = state.fresh_id();
     let job = state.fresh_id();
     let Some((material, opened)) = state.current() else {
         return Vec::new();
     };
-    let variants = if all {
-        Variant::of(
-            PHONG_FAMILY,
-            match opened.brdf.fresnel {
-                Fresnel::None => Fresnel::Exact,
-                fresnel => fresnel,
-            },
-        )
-    } else {
-        vec![Variant::from(&opened.brdf)]
-    };
     let (run, task) = run_of(state, job, (material, opened), variants);
-    state.fit.run = Some(run);
-    if all {
-        state.tiles.show(ViewId::Fits);
-    }
+    state.fit.run = Some(FitRun { compares, ..run });
     vec![task]
 }
 
@@ -142,6 +145,7 @@ fn run_of(
         job,
         material: opened.id,
         parts: variants.iter().map(part).collect(),
+        compares: false,
         at: 0,
         setup: state.fit.settings.setup(&opened.brdf),
         cancel: CancelFlag::default(),

@@ -11,26 +11,19 @@ use crate::app::state::folder_fit::{blocked, measured, model};
 use crate::app::state::job::{CancelFlag, Hold};
 use crate::app::state::library::folder_run::FolderRun;
 use crate::app::state::notice::Severity;
-use crate::brdf::{Fresnel, PHONG_FAMILY};
 use crate::files::fits::FitRecord;
 use crate::fit::{EndReason, Variant};
 use std::path::{Path, PathBuf};
 
-/// Fits the files of the folder as the panel says: the shown model, or all six. Files that have such a fit are left
-/// out, unless all have one.
-pub(crate) fn start(state: &mut State, six: bool) -> Vec<Task> {
-    if blocked(state).is_some() {
+/// Fits the files of the folder as the panel says: the shown model, or the models to compare. Files that have such
+/// fits are left out, unless all have them.
+pub(crate) fn start(state: &mut State, compare: bool) -> Vec<Task> {
+    if blocked(state).is_some() || compare && state.prefs.comparison.blocked().is_some() {
         return Vec::new();
     }
     let brdf = model(state);
-    let variants = if six {
-        Variant::of(
-            PHONG_FAMILY,
-            match brdf.fresnel {
-                Fresnel::None => Fresnel::Exact,
-                fresnel => fresnel,
-            },
-        )
+    let variants = if compare {
+        state.prefs.comparison.variants()
     } else {
         vec![Variant::from(&brdf)]
     };

@@ -8,6 +8,7 @@ use crate::app::session::file::{SavedFitting, SavedKey, SavedMaterial, SavedWhat
 use crate::app::session::places::{FilePlace, FoundSession};
 use crate::app::state::fitting::kept::KeptFit;
 use crate::app::state::fitting::settings::FitSettings;
+use crate::app::state::fitting::table::{Column, FitTable};
 use crate::app::state::material::{Material, MaterialId, Opened, Origin, Presence};
 use crate::app::state::notice::Severity;
 use crate::app::state::probe::Probe;
@@ -20,6 +21,7 @@ use crate::files;
 use crate::fit::{STAGES, Variant};
 use crate::measured::Table;
 use crate::measured::samples::SAMPLES;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// Number of remarks on a file that are shown one by one.
@@ -171,7 +173,7 @@ fn subject_key(key: &SavedKey, ids: &[MaterialId]) -> Option<SubjectKey> {
 fn take_the_rest(state: &mut State, session: &SessionFile) {
     state.fit.settings = settings(&session.fit);
     state.fit.keep_optimal = session.fit.keep_optimal;
-    state.fit.sort = session.fit.sort;
+    state.fit.table = table(&session.fit);
     state.pinned = session.probe.map(|probe| Probe {
         wi: probe.wi,
         wo: probe.wo,
@@ -179,6 +181,20 @@ fn take_the_rest(state: &mut State, session: &SessionFile) {
     if let Some(tiles) = &session.layout {
         state.tiles = tiles.clone();
     }
+}
+
+fn table(saved: &SavedFitting) -> FitTable {
+    let mut table = FitTable {
+        sort: saved.sort,
+        descending: saved.descending,
+        hidden: BTreeSet::new(),
+    };
+    // Columns of a newer program are left out.
+    let hidden = saved.hidden_columns.iter();
+    for column in hidden.filter_map(|key| Column::by_key(key)) {
+        table.show(column, false);
+    }
+    table
 }
 
 fn settings(saved: &SavedFitting) -> FitSettings {

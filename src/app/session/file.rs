@@ -1,6 +1,6 @@
 //! A session as plain data, as its file has it. `docs/formats.md` documents the keys.
 
-use crate::app::state::fitting::kept::SortBy;
+use crate::app::state::fitting::table::{Column, FitTable};
 use crate::app::state::layout::Tiles;
 use crate::app::state::settings_map::SettingsMap;
 use crate::brdf;
@@ -176,12 +176,17 @@ pub struct SavedFitting {
     pub from_sliders: bool,
     /// Whether ρ_d and k_s follow the other parameters.
     pub keep_optimal: bool,
-    /// Order of the table.
-    pub sort: SortBy,
+    /// Column that the table is ordered by.
+    pub sort: Column,
+    /// Whether the largest value comes first.
+    pub descending: bool,
+    /// Keys of the columns that the table does not show.
+    pub hidden_columns: Vec<String>,
 }
 
 impl Default for SavedFitting {
     fn default() -> Self {
+        let table = FitTable::default();
         Self {
             weight: Weight::default(),
             limit: NO_LIMIT,
@@ -190,9 +195,17 @@ impl Default for SavedFitting {
             bounds: BTreeMap::new(),
             from_sliders: false,
             keep_optimal: false,
-            sort: SortBy::default(),
+            sort: table.sort,
+            descending: table.descending,
+            hidden_columns: keys_of_hidden(&table),
         }
     }
+}
+
+/// Keys of the hidden columns of a table, in their order.
+pub fn keys_of_hidden(table: &FitTable) -> Vec<String> {
+    let hidden = table.hidden.iter();
+    hidden.map(|column| column.key().into()).collect()
 }
 
 /// A pair of unit vectors in the local frame.

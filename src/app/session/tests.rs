@@ -7,7 +7,8 @@ use crate::app::reduce::fit::keep_fit;
 use crate::app::session::file::SessionFile;
 use crate::app::session::places::{FoundSession, find};
 use crate::app::state::State;
-use crate::app::state::fitting::kept::{KeptFit, SortBy};
+use crate::app::state::fitting::kept::KeptFit;
+use crate::app::state::fitting::table::Column;
 use crate::app::state::material::{Material, MaterialId, Opened, Origin, Presence};
 use crate::app::state::probe::Probe;
 use crate::app::state::subject_key::{SubjectKey, What};
@@ -214,7 +215,9 @@ fn rich() -> State {
     state.fit.settings.held.insert(ParamId("alpha"));
     state.fit.settings.bounds.insert(ParamId("s"), (1.0, 500.0));
     state.fit.keep_optimal = true;
-    state.fit.sort = SortBy::Grazing;
+    state.fit.table.sort_by(Column::Grazing);
+    state.fit.table.show(Column::Time, false);
+    state.fit.table.show(Column::Evaluations, true);
     state.pinned = Some(Probe::in_plane(0.7, -0.2));
     state.tiles.toggle(ViewId::Scatter);
     state
@@ -266,7 +269,7 @@ fn what_old_sessions_said_of_grey_is_no_unknown_key() {
 }
 
 /// Changes that a session keeps, one each.
-const CHANGES: [fn(&mut State); 27] = [
+const CHANGES: [fn(&mut State); 29] = [
     |s| s.scene.selected = 3,
     |s| s.scene.opened.truncate(2),
     |s| s.scene.opened[1].brdf.params.k_s[2] += 1e-9,
@@ -295,7 +298,9 @@ const CHANGES: [fn(&mut State); 27] = [
     |s| s.scene.views.get_mut::<ScatterSettings>().y = Some(Quantity::Error),
     |s| s.fit.settings.from_sliders = true,
     |s| s.fit.settings.limit = NO_LIMIT,
-    |s| s.fit.sort = SortBy::Name,
+    |s| s.fit.table.sort = Column::Name,
+    |s| s.fit.table.descending = true,
+    |s| s.fit.table.hidden.clear(),
     |s| s.pinned = None,
     |s| s.tiles.toggle(ViewId::Lobes),
     |s| s.materials.values_mut().next().expect("one").fits[0].overlaid = false,

@@ -2,7 +2,7 @@
 
 use crate::app::session::file::{
     SavedBrdf, SavedFit, SavedFitting, SavedKey, SavedMaterial, SavedProbe, SavedWhat, SessionFile,
-    VERSION,
+    VERSION, keys_of_hidden,
 };
 use crate::app::state::State;
 use crate::app::state::fitting::FitState;
@@ -115,6 +115,8 @@ fn fitting(fit: &FitState) -> SavedFitting {
             .collect(),
         from_sliders: settings.from_sliders,
         keep_optimal: fit.keep_optimal,
-        sort: fit.sort,
+        sort: fit.table.sort,
+        descending: fit.table.descending,
+        hidden_columns: keys_of_hidden(&fit.table),
     }
 }

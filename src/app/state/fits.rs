@@ -39,4 +39,9 @@ impl State {
         }
         self.fit.settings.blocked(&opened.brdf)
     }
+
+    /// Why no models can be compared now, in words.
+    pub fn comparison_blocked(&self) -> Option<&'static str> {
+        self.fit_blocked().or(self.prefs.comparison.blocked())
+    }
 }

@@ -1,6 +1,7 @@
 //! Preferences, kept between runs.
 
 use crate::app::state::figure::FigurePrefs;
+use crate::app::state::fitting::comparison::Comparison;
 use crate::app::state::side_panels::SidePanels;
 use crate::figure::faults::Faults;
 use crate::files::path_text;
@@ -30,6 +31,8 @@ pub struct Prefs {
     pub zoom: Zoom,
     /// Whether a material is fitted when it is opened.
     pub fit_on_opening: FitOnOpening,
+    /// Models that are fitted beside each other.
+    pub comparison: Comparison,
 }
 
 /// Whether a material is fitted when it is opened.
@@ -149,6 +152,7 @@ pub enum Theme {
 mod tests {
     use super::*;
     use crate::app::state::side_panels::Side;
+    use crate::brdf::MODELS;
 
     #[test]
     fn preferences_outlive_the_window_and_those_of_an_older_one_are_read() {
@@ -159,11 +163,12 @@ mod tests {
             ..Prefs::default()
         };
         prefs.panels.toggle(Side::Library);
+        prefs.comparison.set_models(MODELS);
         let text = serde_json::to_string(&prefs).expect("JSON");
         assert_eq!(serde_json::from_str::<Prefs>(&text).expect("read"), prefs);
         // One from before there were panels that fold, sizes and fits on opening.
         let mut old: serde_json::Value = serde_json::from_str(&text).expect("JSON");
-        for key in ["panels", "zoom", "fit_on_opening"] {
+        for key in ["panels", "zoom", "fit_on_opening", "comparison"] {
             assert!(
                 old.as_object_mut()
                     .expect("an object")
@@ -176,6 +181,7 @@ mod tests {
         assert_eq!(read.theme, Theme::Dark);
         assert_eq!((read.panels, read.zoom), (usual.panels, usual.zoom));
         assert!(read.fit_on_opening.0);
+        assert_eq!(read.comparison, usual.comparison);
         // A size at which nothing can be read is brought to one at which it can.
         assert_eq!(Zoom::from(3), Zoom::from(50));
         assert_eq!(Zoom::from(u32::MAX), Zoom::from(300));

@@ -1,5 +1,6 @@
 //! Pieces of user interface that views and panels share: painting, controls, gestures.
 
+pub mod compare;
 pub mod controls;
 pub mod empty;
 pub mod fit_details;

@@ -1,7 +1,9 @@
 //! The rows of the Fit menu.
 
-use crate::app::command::table::{Row, bare, ctrl, ctrl_shift, item, one};
+use crate::app::command::table::{Item, Row, bare, ctrl, ctrl_shift, item, one};
 use crate::app::msg::command::Command;
+use crate::brdf::fresnel::{FRESNELS, Fresnel};
+use crate::brdf::{MODELS, Model};
 use crate::fit::{WEIGHTS, Weight};
 use egui::Key;
 
@@ -14,11 +16,38 @@ pub(super) const ROWS: &[Row] = &[
         "Fit the shown model to the shown material",
     ),
     one(
-        Command::FitAll,
-        "Fit all six",
+        Command::Compare,
+        "Compare",
         ctrl_shift(Key::F),
-        "Fit every model without and with the Fresnel factor, and compare them in a table",
+        "Fit the models to compare, with each Fresnel factor that is ticked, and show them in a table",
     ),
+    Row::Each("Models to compare", || {
+        let sets = [
+            item(
+                Command::CompareFamily,
+                "Phong family",
+                "Compare Phong, Blinn-Phong and the model between them",
+            ),
+            item(Command::CompareEvery, "All", "Compare every model"),
+        ];
+        let model = |(index, model): (usize, &&Model)| Item {
+            command: Command::ToggleCompared(index),
+            name: model.name.into(),
+            keys: None,
+            help: format!("Compare the {} model, or leave it out", model.name).into(),
+        };
+        sets.into_iter()
+            .chain(MODELS.iter().enumerate().map(model))
+            .collect()
+    }),
+    Row::Each("Fresnel to compare", || {
+        let row = |fresnel: Fresnel| {
+            let command = Command::ToggleComparedFresnel(fresnel);
+            let help = "Compare the models with this Fresnel factor, or leave it out";
+            item(command, fresnel.name(), help)
+        };
+        FRESNELS.map(row).into()
+    }),
     one(
         Command::CancelFit,
         "Cancel fit",
@@ -32,10 +61,10 @@ pub(super) const ROWS: &[Row] = &[
         "Fit the shown model to every file of the folder that has no such fit, in the background",
     ),
     one(
-        Command::FitFolderAll,
-        "Fit all six to the folder",
+        Command::CompareFolder,
+        "Compare on the folder",
         None,
-        "Fit every model to every file of the folder that has no such fits, in the background",
+        "Fit the models to compare to every file of the folder that has no such fits, in the background",
     ),
     one(
         Command::CancelFitFolder,
@@ -51,7 +80,7 @@ pub(super) const ROWS: &[Row] = &[
         Command::ToggleFromSliders,
         "Start from sliders",
         None,
-        "Begin the fit at the present s, α and η instead of at what the data say",
+        "Begin the fit at the present values instead of at what the data say",
     ),
     one(
         Command::ToggleFitOnOpening,
@@ -63,6 +92,6 @@ pub(super) const ROWS: &[Row] = &[
         Command::ToggleKeepOptimal,
         "Keep ρd, ks optimal",
         ctrl(Key::K),
-        "Find the best ρd and ks again whenever s, α, η or the model change",
+        "Find the best ρd and ks again whenever the lobe, η or the model change",
     ),
 ];

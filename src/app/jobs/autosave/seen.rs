@@ -1,8 +1,8 @@
 //! The state as it was kept, to see whether it has changed since.
 
 use crate::app::state::State;
-use crate::app::state::fitting::kept::SortBy;
 use crate::app::state::fitting::settings::FitSettings;
+use crate::app::state::fitting::table::FitTable;
 use crate::app::state::layout::Tiles;
 use crate::app::state::material::Origin;
 use crate::app::state::probe::Probe;
@@ -15,7 +15,7 @@ pub(super) struct Seen {
     tiles: Tiles,
     settings: FitSettings,
     keep_optimal: bool,
-    sort: SortBy,
+    table: FitTable,
     pinned: Option<Probe>,
     saved_as: Option<PathBuf>,
 }
@@ -27,7 +27,7 @@ impl Seen {
             tiles: state.tiles.clone(),
             settings: state.fit.settings.clone(),
             keep_optimal: state.fit.keep_optimal,
-            sort: state.fit.sort,
+            table: state.fit.table.clone(),
             pinned: state.pinned,
             saved_as: state.session.files.get(&state.scene.session).cloned(),
         }
@@ -37,7 +37,8 @@ impl Seen {
     pub fn is(&self, state: &State) -> bool {
         self.tiles == state.tiles
             && self.settings == state.fit.settings
-            && (self.keep_optimal, self.sort) == (state.fit.keep_optimal, state.fit.sort)
+            && self.keep_optimal == state.fit.keep_optimal
+            && self.table == state.fit.table
             && self.pinned == state.pinned
             && self.saved_as.as_ref() == state.session.files.get(&state.scene.session)
             && self.work.is(state)

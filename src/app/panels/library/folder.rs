@@ -57,8 +57,8 @@ fn scanned(folder: &Folder) -> Option<String> {
 fn menu_ui(ui: &mut egui::Ui, state: &State, folder: &Folder, out: &mut Vec<Msg>) {
     let menu = ui.menu_button("…", |ui| {
         for (name, command) in [
-            ("Fit all: shown model", Command::FitFolder),
-            ("Fit all: six models", Command::FitFolderAll),
+            ("Fit all files", Command::FitFolder),
+            ("Compare on all files", Command::CompareFolder),
             ("Save fits…", Command::SaveFits),
         ] {
             let button = ui.add_enabled(command.is_enabled(state), egui::Button::new(name));

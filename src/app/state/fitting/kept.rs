@@ -6,7 +6,6 @@ use crate::files::SourceFile;
 use crate::files::fits::FitRecord;
 use crate::fit::{EndReason, FitProgress, Outcome, StageReport, Variant, diagnostics};
 use crate::geom::degrees;
-use serde::{Deserialize, Serialize};
 
 /// A fit that is kept with its material.
 #[derive(Clone, Debug)]
@@ -86,19 +85,6 @@ impl From<&FitRecord> for KeptFit {
             overlaid: false,
         }
     }
-}
-
-/// Order of the table of fits.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum SortBy {
-    /// Model, then Fresnel factor.
-    Name,
-    /// E over all cells, the smallest first.
-    #[default]
-    Error,
-    /// E over the grazing cells, the smallest first.
-    Grazing,
 }
 
 /// A variant in few words, where room is short.

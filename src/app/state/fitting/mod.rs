@@ -14,19 +14,21 @@
 //! So the fit is one step of the history whatever else is edited meanwhile. Kept fits, settings and check boxes are
 //! beside the scene: undo brings the model's numbers back, not these.
 //!
-//! A run of one variant drives the model of its material; a run of several leaves the model alone and fills the table.
+//! A run of the shown model drives the model of its material; one that compares leaves it alone and fills the table.
 //! Newest wins: a run that is stopped or replaced is known by its number, and its later reports change nothing.
 //!
 //! "Keep ρ_d, k_s optimal": an edit of the model's shape asks for their refit; the answer sets ρ_d and k_s of
 //! whatever shape is there then, without a step of its own, so that a drag with its answers is one step.
 
+pub mod comparison;
 pub mod kept;
 pub mod run;
 pub mod settings;
+pub mod table;
 
-use crate::app::state::fitting::kept::SortBy;
 use crate::app::state::fitting::run::FitRun;
 use crate::app::state::fitting::settings::FitSettings;
+use crate::app::state::fitting::table::FitTable;
 
 /// The part of the state that is about fitting.
 #[derive(Debug, Default)]
@@ -41,6 +43,6 @@ pub struct FitState {
     pub refit_from: u64,
     /// The refit of a model that was taken whole: its answer counts though ρ_d and k_s follow nothing.
     pub refit_taken: u64,
-    /// Order of the table.
-    pub sort: SortBy,
+    /// Columns and order of the table.
+    pub table: FitTable,
 }

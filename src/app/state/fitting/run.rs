@@ -6,7 +6,7 @@ use crate::app::state::material::{MaterialId, Opened};
 use crate::brdf::Brdf;
 use crate::fit::{FitProgress, Stage, Variant};
 
-/// A fit under way: of one variant, or of several.
+/// A fit under way: of the shown model, or of the models to compare.
 #[derive(Debug)]
 pub struct FitRun {
     /// Number of its job.
@@ -15,6 +15,8 @@ pub struct FitRun {
     pub material: MaterialId,
     /// Variants that are fitted, in order.
     pub parts: Vec<Part>,
+    /// Whether its fits are compared in the table, and the model of the material stays as it is.
+    pub compares: bool,
     /// Position of the part that spoke last.
     pub at: usize,
     /// Settings of the fit.
@@ -48,9 +50,9 @@ impl Part {
 }
 
 impl FitRun {
-    /// Whether it moves the model of its material: one variant does, several fill the table.
+    /// Whether it moves the model of its material.
     pub fn drives_model(&self) -> bool {
-        self.parts.len() == 1 && !self.stopping
+        !self.compares && !self.stopping
     }
 
     /// The part under way.
@@ -75,7 +77,7 @@ impl FitRun {
             self.at = position;
         }
         if self.drives_model()
-            && let Some(best) = self.parts[0].best()
+            && let Some(best) = self.current_part().and_then(Part::best)
         {
             self.live = Some(Opened {
                 beside: false,

@@ -1,6 +1,7 @@
 //! The table of fits of the shown material: one row per variant.
 
 pub mod about;
+pub mod columns;
 pub mod head;
 pub mod rows;
 
@@ -10,16 +11,17 @@ use crate::app::msg::fit::FitMsg;
 use crate::app::state::State;
 use crate::app::state::fitting::kept::{short_variant_name, variant_name};
 use crate::app::state::fitting::run::FitRun;
+use crate::app::state::fitting::table::Column;
 use crate::app::state::subjects::look_beside;
-use crate::app::widgets::formula::{hundredths, number};
 use crate::app::widgets::paint::rich_text_job;
-use crate::app::widgets::{empty, fit_details, paint};
-use crate::brdf::ParamId;
+use crate::app::widgets::{compare, controls, empty, fit_details, paint};
 use crate::figure::drawing::Drawing;
 use crate::figure::palette::{Palette, Role};
 use crate::figure::text::RichText;
-use egui::{Color32, Rect, Sense, UiBuilder, Vec2, pos2, vec2};
-use head::{Columns, ROW, header_ui};
+use columns::Columns;
+use egui::containers::menu::{MenuButton, MenuConfig};
+use egui::{Align, Color32, Layout, PopupCloseBehavior, Rect, Sense, UiBuilder, Vec2, pos2, vec2};
+use head::{ROW, header_ui};
 use rows::{FitRow, RowRemark};
 
 /// Draws the tile, which has no place for the probe.
@@ -29,8 +31,8 @@ pub fn fits_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
         empty::empty_ui(ui, rect, "Open a material to fit models to it.");
         return false;
     };
-    toolbar_ui(ui, state, &material.name, out);
     let rows = rows::rows(state);
+    toolbar_ui(ui, state, &rows, &material.name, out);
     if rows.is_empty() {
         let rect = ui.available_rect_before_wrap();
         empty::empty_ui(ui, rect, "No fit of this material yet.");
@@ -40,8 +42,8 @@ pub fn fits_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
         .auto_shrink([false, false])
         .show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
-            let columns = Columns::new(ui.available_width());
-            header_ui(ui, state.fit.sort, &columns, out);
+            let columns = Columns::new(ui.available_width(), &shown_columns(state, &rows));
+            header_ui(ui, &state.fit.table, &columns, out);
             for row in &rows {
                 row_ui(ui, state, row, &columns, out);
             }
@@ -49,37 +51,71 @@ pub fn fits_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool {
     false
 }
 
-fn toolbar_ui(ui: &mut egui::Ui, state: &State, name: &str, out: &mut Vec<Msg>) {
+/// The columns of numbers that are shown for these rows, from left to right.
+fn shown_columns(state: &State, rows: &[FitRow]) -> Vec<Column> {
+    let hidden = &state.fit.table.hidden;
+    Column::all()
+        .filter(|column| *column != Column::Name && !hidden.contains(column))
+        .filter(|column| columns::is_of_use(*column, rows))
+        .collect()
+}
+
+fn toolbar_ui(ui: &mut egui::Ui, state: &State, rows: &[FitRow], name: &str, out: &mut Vec<Msg>) {
     ui.horizontal(|ui| {
         let (command, text) = if state.current_run().is_some_and(|run| !run.stopping) {
             (Command::CancelFit, "Cancel")
         } else {
-            (Command::FitAll, "Fit all six")
+            (Command::Compare, "Compare")
         };
         let button = ui.add_enabled(command.is_enabled(state), egui::Button::new(text));
         let button = button
             .on_hover_text(command.hint(ui.ctx()))
-            .on_disabled_hover_text(state.fit_blocked().unwrap_or_default());
+            .on_disabled_hover_text(state.comparison_blocked().unwrap_or_default());
         if button.clicked() {
             out.push(Msg::Run(command));
         }
-        match state.current_run() {
-            Some(run) => {
-                ui.add(egui::ProgressBar::new(run.share()).desired_width(110.0));
-                ui.add(egui::Label::new(under_way(run)).truncate());
-            }
-            None => {
-                let settings = &state.fit.settings;
-                let text = format!(
-                    "{name}: weight {}, grazing limit {:.0}°",
-                    settings.weight.name().to_lowercase(),
-                    settings.limit.to_degrees()
-                );
-                ui.add(egui::Label::new(egui::RichText::new(text).weak()).truncate());
+        compare::choice_ui(ui, state, "fits", out);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            columns_ui(ui, state, rows, out);
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                match state.current_run() {
+                    Some(run) => {
+                        ui.add(egui::ProgressBar::new(run.share()).desired_width(110.0));
+                        ui.add(egui::Label::new(under_way(run)).truncate());
+                    }
+                    None => {
+                        let settings = &state.fit.settings;
+                        let text = format!(
+                            "{name}: weight {}, grazing limit {:.0}°",
+                            settings.weight.name().to_lowercase(),
+                            settings.limit.to_degrees()
+                        );
+                        ui.add(egui::Label::new(egui::RichText::new(text).weak()).truncate());
+                    }
+                }
+            });
+        });
+    });
+    ui.add_space(4.0);
+}
+
+/// The choice of columns.
+fn columns_ui(ui: &mut egui::Ui, state: &State, rows: &[FitRow], out: &mut Vec<Msg>) {
+    let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    let menu = MenuButton::new("Columns").config(config);
+    let (button, _) = menu.ui(ui, |ui| {
+        let of_use = |column: &Column| *column != Column::Name && columns::is_of_use(*column, rows);
+        for column in Column::all().filter(of_use) {
+            let words = columns::words(column);
+            let mut on = !state.fit.table.hidden.contains(&column);
+            let name = format!("column {}", column.key());
+            let tick = controls::tick_ui(ui, &mut on, &words.head, &name);
+            if tick.on_hover_text(words.help).changed() {
+                out.push(Msg::Fit(FitMsg::ShowColumn(column, on)));
             }
         }
     });
-    ui.add_space(4.0);
+    button.on_hover_text("Which columns are shown");
 }
 
 /// Activity of a run, in words.
@@ -156,7 +192,14 @@ fn row_ui(ui: &mut egui::Ui, state: &State, row: &FitRow, columns: &Columns, out
         painter.galley(pos2(end, middle(&galley)), galley, color);
         end += width + 8.0;
     }
-    for (right, text) in columns.right.iter().zip(row.cells()) {
+    for (column, right) in &columns.numbers {
+        let cell = columns::cell(row, *column);
+        let color = if cell.is_some() {
+            color
+        } else {
+            visuals.weak_text_color()
+        };
+        let text = cell.unwrap_or_else(|| "–".into());
         let job = rich_text_job(&RichText::parse(&text), 13.5, color);
         let galley = painter.layout_job(job);
         let x = rect.left() + right - galley.size().x;
@@ -221,25 +264,4 @@ fn tick_ui(
     let palette = Palette::of_theme(ui.visuals().dark_mode);
     let at = rect.min + Vec2::new(31.0, 0.0);
     paint::paint(ui.painter(), at, &swatch, &palette);
-}
-
-impl FitRow<'_> {
-    /// The numbers, as markup.
-    fn cells(&self) -> [String; 6] {
-        let number_or_dash = |value: Option<f64>| value.map_or("–".into(), number);
-        let hundredths = |e: f64| hundredths(e);
-        let used = |id| {
-            let brdf = self.brdf.filter(|brdf| brdf.uses(id));
-            number_or_dash(brdf.and_then(|brdf| brdf.number(id)))
-        };
-        [
-            self.error.map_or("–".into(), hundredths),
-            self.grazing.map_or("–".into(), hundredths),
-            used(ParamId("s")),
-            used(ParamId("alpha")),
-            used(ParamId::ETA),
-            self.seconds
-                .map_or("–".into(), |seconds| format!("{seconds:.1}")),
-        ]
-    }
 }

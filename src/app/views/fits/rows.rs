@@ -1,8 +1,10 @@
 //! The rows of the table: kept fits and the run under way, ordered.
 
 use crate::app::state::State;
-use crate::app::state::fitting::kept::{KeptFit, SortBy};
+use crate::app::state::fitting::kept::KeptFit;
 use crate::app::state::fitting::run::{FitRun, Part};
+use crate::app::state::fitting::table::{Column, FitTable};
+use crate::app::views::fits::columns::value;
 use crate::brdf::Brdf;
 use crate::fit::Variant;
 
@@ -85,13 +87,24 @@ pub fn rows(state: &State) -> Vec<FitRow<'_>> {
     mark_best(&mut rows);
     let by_name = |row: &FitRow| (row.variant.fresnel.index(), row.variant.model.index());
     rows.sort_by_key(by_name);
-    let key = |row: &FitRow| match state.fit.sort {
-        SortBy::Name => 0.0,
-        SortBy::Error => row.error.unwrap_or(f64::INFINITY),
-        SortBy::Grazing => row.grazing.unwrap_or(f64::INFINITY),
-    };
-    rows.sort_by(|a, b| key(a).total_cmp(&key(b)));
+    sort(&mut rows, &state.fit.table);
     rows
+}
+
+/// Orders rows that are in the order of their names. Those without a value come last in either direction.
+fn sort(rows: &mut [FitRow], table: &FitTable) {
+    if table.sort == Column::Name {
+        if table.descending {
+            rows.reverse();
+        }
+        return;
+    }
+    let of = |row: &FitRow| value(row, table.sort);
+    rows.sort_by(|a, b| match (of(a), of(b)) {
+        (Some(a), Some(b)) if table.descending => b.total_cmp(&a),
+        (Some(a), Some(b)) => a.total_cmp(&b),
+        (a, b) => b.is_some().cmp(&a.is_some()),
+    });
 }
 
 fn of_kept<'a>(state: &State, kept: &'a KeptFit, shown: &Brdf) -> FitRow<'a> {
