@@ -5,8 +5,8 @@
 
 use super::fresnel::{FRESNELS, Fresnel};
 use super::model::{Brdf, Model};
-use super::models::{COMBINED, MODELS};
-use super::params::{self, Param, ParamId};
+use super::models::{COMBINED, MODELS, all_params, param_by_key};
+use super::params::{Param, ParamId};
 use crate::json;
 use crate::keys::{did_you_mean, nearest};
 use crate::quote::{quoted, shown};
@@ -120,7 +120,7 @@ pub fn from_value(value: &Value) -> Result<Brdf, BrdfJsonError> {
 /// has ever had.
 pub fn rows(model: &Model) -> impl Iterator<Item = &'static Param> {
     let known = |model: &Model, row: &Param| model.param(row.id).is_some();
-    params::all().filter(move |row| known(model, row) || known(&COMBINED, row))
+    all_params().filter(move |row| known(model, row) || known(&COMBINED, row))
 }
 
 /// JSON object of a BRDF; parameters that do not count are null.
@@ -219,7 +219,7 @@ pub fn from_text(text: &str, index: usize) -> Result<Brdf, BrdfJsonError> {
 
 /// Whether a key of an object is read as a part of a model.
 pub fn is_key(key: &str) -> bool {
-    ["model", "fresnel"].contains(&key) || ParamId::by_key(key).is_some()
+    ["model", "fresnel"].contains(&key) || param_by_key(key).is_some()
 }
 
 /// Rejects values of parameters that the model does not have. Those of the combined model are left alone, as they were in
@@ -230,7 +230,7 @@ fn reject_parameters_of_others(
 ) -> Result<(), BrdfJsonError> {
     let lacks = |row: &&Param| model.param(row.id).is_none() && COMBINED.param(row.id).is_none();
     let given = |row: &&Param| object.get(row.key()).is_some_and(|value| !value.is_null());
-    match params::all().find(|row| lacks(row) && given(row)) {
+    match all_params().find(|row| lacks(row) && given(row)) {
         Some(row) => Err(BrdfJsonError(format!(
             "{} has no \"{}\"; it has {}",
             model.key,
@@ -245,7 +245,7 @@ fn reject_parameters_of_others(
 /// letter away from `fresnel`, without which there is none and nobody would be told. Others pass.
 fn reject_misspelt_keys(object: &Map<String, Value>) -> Result<(), BrdfJsonError> {
     let bare = |key: &str| key.to_lowercase().replace(['-', '_', ' '], "");
-    let rows = params::all().map(Param::key);
+    let rows = all_params().map(Param::key);
     for known in rows.chain(["model", "fresnel"]) {
         let slip = |key: &str| known == "fresnel" && strsim::osa_distance(key, known) == 1;
         let meant = |key: &&String| {

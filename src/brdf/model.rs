@@ -2,7 +2,6 @@
 
 use super::along_phi_d::AlongPhiD;
 use super::fresnel::Fresnel;
-use super::look;
 use super::params::{self, LobeValues, Param, ParamId, Params};
 use crate::geom::{Cosines, Rgb};
 use glam::DVec3;
@@ -221,11 +220,5 @@ impl Brdf {
     pub fn specular_at_normal(&self) -> Rgb {
         let r0 = self.fresnel.reflectance(1.0, self.params.eta);
         self.params.k_s.map(|k| k * r0)
-    }
-
-    /// BRDF of another model that looks alike: equal to this one where one of the two contains the other, else with the
-    /// same width and height of the highlight at normal incidence.
-    pub fn with_model(&self, model: &'static Model) -> Self {
-        look::alike(self, model)
     }
 }

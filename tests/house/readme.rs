@@ -222,7 +222,10 @@ fn every_source_is_in_the_bibliography_and_named_somewhere() {
 fn limits_in_words(grazing: f64, unreliable: f64) -> [(&'static str, String); 5] {
     [
         ("src/app/views/fits/columns.rs", format!("E ≥ {grazing}°")),
-        ("src/app/views/fits/columns.rs", format!("from {grazing}° on")),
+        (
+            "src/app/views/fits/columns.rs",
+            format!("from {grazing}° on"),
+        ),
         (
             "src/app/views/disc/about.rs",
             format!("beyond {unreliable}°"),

@@ -1,7 +1,7 @@
 //! Quantities along the axes of the plot of materials: the parameters of a model, and E.
 
-use crate::brdf::params::{self, Scale};
-use crate::brdf::{Brdf, Model, Param, ParamId};
+use crate::brdf::params::Scale;
+use crate::brdf::{Brdf, Model, Param, ParamId, all_params};
 use crate::figure::scale::{Axis, RadialScale};
 use crate::geom::color::luminance;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -106,7 +106,7 @@ impl<'de> Deserialize<'de> for Quantity {
     /// Any parameter is read; whether the model has it is looked at with the model.
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let key = String::deserialize(deserializer)?;
-        let mut known: Vec<Self> = params::all().map(|row| Self::Param(row.id)).collect();
+        let mut known: Vec<Self> = all_params().map(|row| Self::Param(row.id)).collect();
         known.push(Self::Error);
         let found = known.iter().find(|quantity| quantity.key() == key);
         found.copied().ok_or_else(|| {
