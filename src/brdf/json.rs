@@ -5,8 +5,8 @@
 
 use super::fresnel::{FRESNELS, Fresnel};
 use super::model::{Brdf, Model};
-use super::models::{COMBINED, MODELS};
-use super::params::{self, Param, ParamId};
+use super::models::{COMBINED, MODELS, all_params, param_by_key};
+use super::params::{Param, ParamId};
 use crate::json;
 use crate::keys::{did_you_mean, nearest};
 use crate::quote::{quoted, shown};
@@ -120,7 +120,7 @@ pub fn from_value(value: &Value) -> Result<Brdf, BrdfJsonError> {
 /// has ever had.
 pub fn rows(model: &Model) -> impl Iterator<Item = &'static Param> {
     let known = |model: &Model, row: &Param| model.param(row.id).is_some();
-    params::all().filter(move |row| known(model, row) || known(&COMBINED, row))
+    all_params().filter(move |row| known(model, row) || known(&COMBINED, row))
 }
 
 /// JSON object of a BRDF; parameters that do not count are null.
@@ -158,6 +158,37 @@ impl<'de> Deserialize<'de> for Brdf {
     }
 }
 
+/// A model as its key, for `#[serde(with = …)]`.
+pub mod model_key {
+    use super::{MODELS, Model, keys};
+    use serde::{Deserialize, Deserializer, Serializer};
+
+    /// Writes the key.
+    ///
+    /// # Errors
+    /// Those of the serializer.
+    pub fn serialize<S: Serializer>(model: &&'static Model, to: S) -> Result<S::Ok, S::Error> {
+        to.serialize_str(model.key)
+    }
+
+    /// Reads the key.
+    ///
+    /// # Errors
+    /// Names the keys that there are where it is none of them.
+    pub fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<&'static Model, D::Error> {
+        let key = String::deserialize(from)?;
+        Model::by_key(&key).ok_or_else(|| {
+            let known: Vec<String> = MODELS
+                .iter()
+                .map(|model| format!("`{}`", model.key))
+                .collect();
+            // As serde says it of an enum, so that the nearest is proposed.
+            let known = keys(known.iter().map(String::as_str));
+            serde::de::Error::custom(format!("unknown variant `{key}`, expected one of {known}"))
+        })
+    }
+}
+
 /// Reads one BRDF from a JSON text that is an object or an array of objects; `index` counts from 0.
 ///
 /// # Errors
@@ -188,7 +219,7 @@ pub fn from_text(text: &str, index: usize) -> Result<Brdf, BrdfJsonError> {
 
 /// Whether a key of an object is read as a part of a model.
 pub fn is_key(key: &str) -> bool {
-    ["model", "fresnel"].contains(&key) || ParamId::by_key(key).is_some()
+    ["model", "fresnel"].contains(&key) || param_by_key(key).is_some()
 }
 
 /// Rejects values of parameters that the model does not have. Those of the combined model are left alone, as they were in
@@ -199,7 +230,7 @@ fn reject_parameters_of_others(
 ) -> Result<(), BrdfJsonError> {
     let lacks = |row: &&Param| model.param(row.id).is_none() && COMBINED.param(row.id).is_none();
     let given = |row: &&Param| object.get(row.key()).is_some_and(|value| !value.is_null());
-    match params::all().find(|row| lacks(row) && given(row)) {
+    match all_params().find(|row| lacks(row) && given(row)) {
         Some(row) => Err(BrdfJsonError(format!(
             "{} has no \"{}\"; it has {}",
             model.key,
@@ -214,7 +245,7 @@ fn reject_parameters_of_others(
 /// letter away from `fresnel`, without which there is none and nobody would be told. Others pass.
 fn reject_misspelt_keys(object: &Map<String, Value>) -> Result<(), BrdfJsonError> {
     let bare = |key: &str| key.to_lowercase().replace(['-', '_', ' '], "");
-    let rows = params::all().map(Param::key);
+    let rows = all_params().map(Param::key);
     for known in rows.chain(["model", "fresnel"]) {
         let slip = |key: &str| known == "fresnel" && strsim::osa_distance(key, known) == 1;
         let meant = |key: &&String| {

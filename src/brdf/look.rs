@@ -6,39 +6,42 @@ use super::params::LobeValues;
 use crate::geom::{Cosines, direction};
 use std::f64::consts::FRAC_PI_2;
 
-/// BRDF of `model` that looks like another: equal to it where one of the two models contains the other (or a third both),
-/// else with the same width and height of the highlight at normal incidence, and the defaults of the other parameters.
-pub fn alike(brdf: &Brdf, model: &'static Model) -> Brdf {
-    let with = |lobe: LobeValues| {
-        let mut other = Brdf { model, ..*brdf };
-        other.params.lobe = lobe;
-        for (value, row) in other.params.lobe.iter_mut().zip(model.params) {
-            *value = row.clamp(*value);
+impl Brdf {
+    /// BRDF of another model that looks alike: equal to this one where one of the two contains the other (or a third
+    /// both), else with the same width and height of the highlight at normal incidence, and the defaults of the other
+    /// parameters.
+    pub fn with_model(&self, model: &'static Model) -> Self {
+        let with = |lobe: LobeValues| {
+            let mut other = Brdf { model, ..*self };
+            other.params.lobe = lobe;
+            for (value, row) in other.params.lobe.iter_mut().zip(model.params) {
+                *value = row.clamp(*value);
+            }
+            other
+        };
+        if self.model == model {
+            return *self;
+        }
+        if let Some(inner) = model.containing(self.model) {
+            return with(inner.outer(&self.params.lobe));
+        }
+        if let Some(inner) = self.model.containing(model) {
+            return with(inner.inner(&self.params.lobe));
+        }
+        let mut thirds = MODELS.iter();
+        let third = thirds
+            .find_map(|third| Some((third.containing(self.model)?, third.containing(model)?)));
+        if let Some((from, to)) = third {
+            return with(to.inner(&from.outer(&self.params.lobe)));
+        }
+        let mut other = with(model.default_lobe());
+        other.params.lobe[0] = of_width(&other, half_width(self));
+        let (height, now) = (normal_height(self), normal_height(&other));
+        if height > 0.0 && now > 0.0 {
+            other.params.k_s = other.params.k_s.map(|k_s| k_s * (height / now));
         }
         other
-    };
-    if brdf.model == model {
-        return *brdf;
     }
-    if let Some(inner) = model.containing(brdf.model) {
-        return with(inner.outer(&brdf.params.lobe));
-    }
-    if let Some(inner) = brdf.model.containing(model) {
-        return with(inner.inner(&brdf.params.lobe));
-    }
-    let mut thirds = MODELS.iter();
-    let third =
-        thirds.find_map(|third| Some((third.containing(brdf.model)?, third.containing(model)?)));
-    if let Some((from, to)) = third {
-        return with(to.inner(&from.outer(&brdf.params.lobe)));
-    }
-    let mut other = with(model.default_lobe());
-    other.params.lobe[0] = of_width(&other, half_width(brdf));
-    let (height, now) = (normal_height(brdf), normal_height(&other));
-    if height > 0.0 && now > 0.0 {
-        other.params.k_s = other.params.k_s.map(|k_s| k_s * (height / now));
-    }
-    other
 }
 
 /// The lobe at normal incidence, seen from the normal.

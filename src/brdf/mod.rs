@@ -19,6 +19,7 @@ pub use albedo::albedo;
 pub use fresnel::Fresnel;
 pub use model::{Brdf, Contained, Model};
 pub use models::{BLINN_PHONG, COMBINED, MODELS, PHONG, PHONG_FAMILY};
+pub use models::{all_params, param_by_key};
 pub use params::{LobeValues, Param, ParamId, Params};
 
 #[cfg(test)]

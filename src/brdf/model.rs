@@ -2,7 +2,6 @@
 
 use super::along_phi_d::AlongPhiD;
 use super::fresnel::Fresnel;
-use super::look;
 use super::params::{self, LobeValues, Param, ParamId, Params};
 use crate::geom::{Cosines, Rgb};
 use glam::DVec3;
@@ -17,6 +16,8 @@ pub struct Model {
     pub key: &'static str,
     /// Display name, e.g. "Blinn-Phong".
     pub name: &'static str,
+    /// Name before "model" in a sentence, e.g. "combined".
+    pub word: &'static str,
     /// Source of the formula, e.g. "[Nielsen14] after [AkenineMoller08]".
     pub source: &'static str,
     /// Formula of the lobe, in the markup of [`crate::figure::text`].
@@ -219,11 +220,5 @@ impl Brdf {
     pub fn specular_at_normal(&self) -> Rgb {
         let r0 = self.fresnel.reflectance(1.0, self.params.eta);
         self.params.k_s.map(|k| k * r0)
-    }
-
-    /// BRDF of another model that looks alike: equal to this one where one of the two contains the other, else with the
-    /// same width and height of the highlight at normal incidence.
-    pub fn with_model(&self, model: &'static Model) -> Self {
-        look::alike(self, model)
     }
 }

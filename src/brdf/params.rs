@@ -2,9 +2,7 @@
 //!
 //! ρ_d, k_s and η belong to every BRDF and have their rows here; the parameters of a lobe belong to its model.
 
-use super::models::MODELS;
 use crate::geom::Rgb;
-use std::sync::LazyLock;
 
 /// Largest number of parameters of a lobe.
 pub const MOST_LOBE_PARAMS: usize = 4;
@@ -43,11 +41,6 @@ impl ParamId {
     pub const K_S: Self = Self("k_s");
     /// Relative index of refraction η.
     pub const ETA: Self = Self("eta");
-
-    /// Identity with this key; `None` where no model has such a parameter.
-    pub fn by_key(key: &str) -> Option<Self> {
-        all().find(|row| row.key() == key).map(|row| row.id)
-    }
 
     /// Whether the parameter has a value per channel: ρ_d and k_s.
     pub fn is_color(self) -> bool {
@@ -196,20 +189,3 @@ pub static ETA: Param = Param {
     scale: Scale::Linear,
     help: "Relative index of refraction in the Fresnel factor: the smaller, the steeper the rise towards grazing.",
 };
-
-/// Rows of all parameters of all models: ρ_d, k_s, those of the lobes in the order in which models first have them, η.
-///
-/// Where several models have a parameter, its row is that of the first of them; ranges of others may differ.
-pub fn all() -> impl Iterator<Item = &'static Param> + Clone {
-    static ROWS: LazyLock<Vec<&'static Param>> = LazyLock::new(|| {
-        let mut rows = vec![&RHO_D, &K_S];
-        for row in MODELS.iter().flat_map(|model| model.params) {
-            if !rows.iter().any(|known| known.id == row.id) {
-                rows.push(row);
-            }
-        }
-        rows.push(&ETA);
-        rows
-    });
-    ROWS.iter().copied()
-}

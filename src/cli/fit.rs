@@ -6,7 +6,7 @@ pub(super) mod progress;
 use super::CliError;
 use super::info::{ModelRow, write_models};
 use crate::brdf::fresnel::FRESNELS;
-use crate::brdf::{Fresnel, Model, ParamId, params};
+use crate::brdf::{Fresnel, Model, ParamId, all_params};
 use crate::files::fits::{FitRecord, write_csv, write_json};
 use crate::files::{self, FileError, write_atomically};
 use crate::fit::{FitOptions, Partial, Problem, StageSet, Variant, WEIGHTS, Weight, fit_all};
@@ -194,7 +194,7 @@ impl Args {
     fn check(&self, variants: &[Variant]) -> Result<(), CliError> {
         let usage = |text: String| Err(CliError::Usage("fit", text));
         let FitOptions { start, held, .. } = self.options();
-        for row in params::all() {
+        for row in all_params() {
             let (starts, held) = (start.has(row.id), held.has(row.id));
             if starts && held {
                 return usage(format!(
@@ -204,7 +204,7 @@ impl Args {
             }
             let uses = |variant: &Variant| variant.defaults().uses(row.id);
             if (starts || held) && !variants.iter().any(uses) {
-                let rows = params::all().map(|row| row.id);
+                let rows = all_params().map(|row| row.id);
                 let used = |id: &ParamId| variants.iter().any(|v| v.defaults().uses(*id));
                 let known: Vec<&str> = rows.filter(used).map(ParamId::key).collect();
                 let option = if starts { "--start" } else { "--hold" };

@@ -2,7 +2,7 @@
 
 use super::CliError;
 use super::table::{self, Column};
-use crate::brdf::{Brdf, ParamId, params};
+use crate::brdf::{Brdf, ParamId, all_params};
 use crate::files;
 use crate::files::fits::FitEntry;
 use crate::files::names::told_apart;
@@ -135,7 +135,7 @@ pub(super) fn write_models(rows: &[ModelRow], out: &mut dyn Write) -> io::Result
             ),
         ),
     ];
-    for param in params::all().filter(|param| !param.id.is_color()) {
+    for param in all_params().filter(|param| !param.id.is_color()) {
         let used = |row: &&ModelRow| row.brdf.uses(param.id);
         if !rows.iter().any(|row| used(&row)) && param.id != ParamId::ETA {
             continue;

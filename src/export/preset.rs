@@ -189,7 +189,7 @@ pub static PRESETS: [Preset; 11] = [
     },
     Preset {
         key: "scatter",
-        help: "Materials by α and s of the combined model: which are Phong-like, which Blinn-Phong-like",
+        help: "Materials by the parameters of a model; of the combined one by α and s: which are Phong-like, which Blinn-Phong-like",
         all_models: false,
         by_material: true,
         width_mm: COLUMNS[0].1,
@@ -238,7 +238,7 @@ impl Preset {
         let of = |model: &'static Model| Variant { model, fresnel };
         match (self.all_models, self.key) {
             (true, _) => PHONG_FAMILY.iter().copied().map(of).collect(),
-            (_, "scatter" | "landscape") => vec![of(crate::fit::landscape::model())],
+            (_, "landscape") => vec![of(crate::fit::landscape::model())],
             _ => vec![of(options.model)],
         }
     }

@@ -9,6 +9,7 @@ pub use terrain::Terrain;
 use super::contour::contours;
 use super::heatmap::{ColorScale, Curve, CurveKind, HeatSpec, HeatSpot, HeatView, Law, Side};
 use super::scale::{number, whole};
+use crate::brdf::{COMBINED, Param};
 
 /// Settings of a landscape besides its terrain.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,6 +24,21 @@ pub struct LandscapeSpec {
     pub here: Option<[f64; 2]>,
     /// (s, α) of the best model and its E in percent, on all cells.
     pub best: Option<([f64; 2], f64)>,
+}
+
+/// Rows of the parameters along x and y: those of the combined model.
+pub fn axes() -> [&'static Param; 2] {
+    [&COMBINED.params[0], &COMBINED.params[1]]
+}
+
+/// Title of the vertical axis: the symbol, and the models at its ends.
+fn y_title(row: &Param) -> String {
+    let ends = COMBINED.contains.iter().filter_map(|inner| {
+        let value = inner.fixed.first()?;
+        Some(format!("{} {}", number(*value), inner.model.name))
+    });
+    let ends: Vec<String> = ends.collect();
+    format!("{} ({})", row.symbol, ends.join(", "))
 }
 
 /// E of the lines, relative to the smallest one.
@@ -64,6 +80,7 @@ impl LandscapeSpec {
             [first, .., last] => (*first, *last),
             _ => missing,
         };
+        let [x, y] = axes();
         let best = match self.best {
             Some((_, percent)) => format!("least {} %", number(rounded(percent))),
             None => "in the making".to_string(),
@@ -91,15 +108,15 @@ impl LandscapeSpec {
                 format!("Best E; {best}"),
             ],
             x: Side {
-                title: "s".into(),
+                title: x.symbol.into(),
                 law: Law::Log,
                 range: ends(&terrain.s, (0.1, 1e5)),
                 degrees: false,
             },
             y: Side {
-                title: "α (0 Phong, 1 Blinn-Phong)".into(),
+                title: y_title(y),
                 law: Law::Linear,
-                range: ends(&terrain.alpha, (0.0, 1.0)),
+                range: ends(&terrain.alpha, y.range),
                 degrees: false,
             },
             view: self.view,

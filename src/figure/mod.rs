@@ -79,6 +79,6 @@ view_list::view_list! {
     ErrorMap(ErrorMapSpec),
     /// Least E over s and α.
     Landscape(LandscapePanel),
-    /// Models by s and α.
+    /// Models by two of their quantities.
     Scatter(ScatterSpec),
 }

@@ -26,6 +26,9 @@ pub trait PanelView {
     /// Brings every value to the nearest that can be drawn, and names those that it changed.
     fn sanitize(&mut self, faults: &mut Faults);
 
+    /// Names what does not suit so many subjects of a panel.
+    fn check_subjects(&self, _count: usize, _faults: &mut Faults) {}
+
     /// Height of a panel `width` points wide that suits it: room for the picture and for words of the size `font`.
     fn height(&self, width: f32, font: f32) -> f32;
 

@@ -116,6 +116,29 @@ fn every_preset_is_a_pdf_that_other_programs_read() {
 }
 
 #[test]
+fn the_scatter_is_of_the_model_that_is_asked_for() {
+    let folder = Folder::new();
+    let (_, fits) = material(&folder);
+    let columns = |options: &str| {
+        let csv = folder.path("scatter.csv");
+        succeeded(&figure(
+            &fits,
+            &csv,
+            &format!("--preset scatter --force {options}"),
+        ));
+        let text = fs::read_to_string(csv).expect("a table");
+        assert_eq!(text.lines().count(), 2, "{text}");
+        text.lines().next().expect("a head").to_owned()
+    };
+    assert_eq!(columns(""), "panel,material,s,alpha");
+    assert_eq!(columns("--model phong"), "panel,material,s,eta");
+    // Without a Fresnel factor η says nothing.
+    let plain = columns("--model phong --fresnel none");
+    assert_eq!(plain, "panel,material,s,k_s");
+    assert_eq!(columns("--model lafortune"), "panel,material,s,c_z");
+}
+
+#[test]
 fn a_figure_is_drawn_again_byte_by_byte_from_its_spec() {
     let folder = Folder::new();
     let (_, fits) = material(&folder);

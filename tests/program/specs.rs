@@ -105,6 +105,22 @@ fn what_cannot_be_drawn_is_named_and_nothing_is_drawn() {
             r#"{"scatter": {"window": [5, 5]}}"#.into(),
             "scatter.window is [5, 5]; expected two values",
         ),
+        (
+            r#"{"scatter": {"y_window": [0.5, 7]}}"#.into(),
+            "scatter.y_window is [0.5, 7]; expected two values from -0.1 to 1.1",
+        ),
+        (
+            r#"{"scatter": {"model": "ggx", "y": "alpha"}}"#.into(),
+            "scatter.y is \"alpha\"; expected one of rho_d, k_s, roughness, eta, error, which ggx has",
+        ),
+        (
+            r#"{"scatter": {"y": "error"}}"#.into(),
+            "scatter.errors.length is 0; expected 2, the E of each subject",
+        ),
+        (
+            r#"{"scatter": {"y": "error", "errors": [0.1, -2]}}"#.into(),
+            "scatter.errors.1 is -2; expected 0 to",
+        ),
     ];
     let folder = Folder::new();
     let out = folder.path("out.svg");
@@ -144,6 +160,16 @@ fn what_cannot_be_drawn_is_named_and_nothing_is_drawn() {
             r#"{"landscape": {"fresnel": "exakt"}}"#,
             "landscape.fresnel: unknown variant",
             "did you mean `exact`?",
+        ),
+        (
+            r#"{"scatter": {"model": "cook-torance"}}"#,
+            "scatter.model: unknown variant",
+            "did you mean `cook-torrance`?",
+        ),
+        (
+            r#"{"scatter": {"x": "rougness"}}"#,
+            "scatter.x: unknown variant",
+            "did you mean `roughness`?",
         ),
         (
             r#"{"lobe3d": {"camera": {"zoom": 1e999}}}"#,

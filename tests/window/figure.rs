@@ -135,8 +135,9 @@ fn every_view_can_be_put_on_paper() {
     // Zoomed, it is zoomed on paper too.
     let zoomed = ScatterSettings {
         window: Some([5.0, 500.0]),
+        ..ScatterSettings::default()
     };
-    send(&mut window, Msg::set_view(zoomed));
+    send(&mut window, Msg::set_view(zoomed.clone()));
     let state = window.state().state();
     let panes: Vec<ViewId> = VIEWS
         .iter()

@@ -478,8 +478,8 @@ fn fitted_materials_are_dots_that_show_them() {
     let rect = window.get_by_role_and_label(Role::Image, "Scatter").rect();
     let dot = |fit: &FitRecord| ScatterDot {
         name: fit.material.clone(),
-        s: fit.brdf.params.lobe[0],
-        alpha: fit.brdf.params.lobe[1],
+        x: fit.brdf.params.lobe[0],
+        y: fit.brdf.params.lobe[1],
         fill: ColorRole::Muted,
         ring: None,
         shown: false,
@@ -487,7 +487,7 @@ fn fitted_materials_are_dots_that_show_them() {
     let dots = fits.each_ref().map(dot);
     let place = |window: &Window| {
         let view = settings::<ScatterSettings>(window);
-        let plot = ScatterPlot::new(&dots, view.window, [rect.width(), rect.height()]);
+        let plot = ScatterPlot::new(&dots, &view, [rect.width(), rect.height()]);
         rect.min + egui::Vec2::from(plot.places[1].expect("a place"))
     };
     let at = place(&window);

@@ -6,7 +6,7 @@ use glam::DVec3;
 use grazing::brdf::fresnel::FRESNELS;
 use grazing::brdf::params::Scale;
 use grazing::brdf::wgsl::{UNIFORM_SLOTS, uniform};
-use grazing::brdf::{Brdf, MODELS, Param};
+use grazing::brdf::{Brdf, MODELS, Model, Param};
 use grazing::geom::color::srgb_encode;
 use grazing::geom::{Cosines, HalfDiff, direction, mirror};
 use grazing::gpu::adapter::Gpu;
@@ -67,25 +67,29 @@ fn random_brdf(random: &mut Random, k: usize) -> Brdf {
     brdf
 }
 
-/// A value in the range of a parameter's slider, its ends now and then.
+/// A value in the range of a parameter's slider; now and then one of its ends, or beyond it what can be typed.
 fn random_value(random: &mut Random, row: &Param) -> f64 {
-    let (low, high) = row.range;
+    let ((low, high), (least, most)) = (row.range, row.domain);
     match (random.unit(), row.scale) {
         (at, _) if at < 0.05 => low,
         (at, _) if at < 0.1 => high,
+        (at, Scale::Log { .. }) if at < 0.15 => random.log_between(least, low),
+        (at, Scale::Log { .. }) if at < 0.2 => random.log_between(high, most),
+        (at, Scale::Linear) if at < 0.2 => random.between(least, most),
         (_, Scale::Linear) => random.between(low, high),
         (_, Scale::Log { .. }) => random.log_between(low, high),
     }
 }
 
-/// Largest distance of the models, relative to the value itself.
-fn worst_model_distance(gpu: &Gpu, library: &str) -> f64 {
+/// Largest distance of the models, or of one, relative to the value itself.
+fn worst_model_distance(gpu: &Gpu, library: &str, only: Option<&Model>) -> f64 {
     let mut random = Random(1);
     let cases: Vec<(DVec3, DVec3, Brdf)> = (0..PAIRS)
         .map(|k| {
             let (wi, wo) = pair(&mut random, k / 9);
             (wi, wo, random_brdf(&mut random, k))
         })
+        .filter(|(_, _, brdf)| only.is_none_or(|model| brdf.model == model))
         .collect();
     let mut inputs = Vec::new();
     for (wi, wo, brdf) in &cases {
@@ -105,7 +109,7 @@ fn item(index: u32) -> vec4f {{
     return vec4f(eval_brdf(b, cosines_from_directions(inputs[at].xyz, inputs[at + 1u].xyz)), 1.0);
 }}"
     );
-    let values = evaluate(gpu, &shader, &inputs, PAIRS, None);
+    let values = evaluate(gpu, &shader, &inputs, cases.len(), None);
     let mut worst: f64 = 0.0;
     for ((wi, wo, brdf), value) in cases.iter().zip(values) {
         let expected = brdf.eval(&Cosines::from_directions(*wi, *wo));
@@ -125,9 +129,11 @@ const MODEL_TOLERANCE: f64 = 2e-5;
 #[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
 fn models_agree() {
     let gpu = gpu();
-    let worst = worst_model_distance(&gpu, &shader::library());
-    println!("models: worst relative distance {worst:.2e}");
-    assert!(worst < MODEL_TOLERANCE, "{worst:e}");
+    for model in MODELS {
+        let worst = worst_model_distance(&gpu, &shader::library(), Some(model));
+        println!("{}: worst relative distance {worst:.2e}", model.key);
+        assert!(worst < MODEL_TOLERANCE, "{}: {worst:e}", model.key);
+    }
 }
 
 #[test]
@@ -142,16 +148,60 @@ fn planted_errors_in_the_models_are_caught() {
         ("return 0.5 * a * a", "return 0.501 * a * a"),
         ("(x2 * x2 * x)", "(x2 * x2)"),
         ("pow_cosine(c.wh_n, s)", "pow_cosine(c.wh_n, s + 0.01)"),
+        (
+            "0.5 * wr_wo.versine + sin2_d",
+            "0.501 * wr_wo.versine + sin2_d",
+        ),
+        ("0.039788735772973836", "0.0398"),
+        (
+            "cos_h * cos_h + sin_squared",
+            "cos_h * cos_h + 1.001 * sin_squared",
+        ),
+        ("2.577 * b", "2.58 * b"),
+        ("min(open, blocked)", "min(open, 1.001 * blocked)"),
+        ("sqrt(cosines)", "cosines"),
+        ("4.0 * c.wi_wh.cos * c.wi_wh.cos", "4.0 * c.wi_wh.cos"),
+        ("return log(1.0 + x)", "return log(1.001 + x)"),
     ] {
         assert!(
             library.contains(right),
             "{right} is not in the shader any more"
         );
-        let worst = worst_model_distance(&gpu, &library.replace(right, wrong));
+        let worst = worst_model_distance(&gpu, &library.replace(right, wrong), None);
         assert!(
             worst > 2.0 * MODEL_TOLERANCE,
             "{right} → {wrong} went unnoticed: {worst:e}"
         );
+    }
+}
+
+/// The library with the twin of a model in which the parameter at a position is a thousandth less than given.
+fn with_parameter_off(library: &str, model: &Model, position: usize) -> String {
+    let head = format!("fn {}(", model.wgsl_name());
+    let (before, twin) = library.split_once(&head).expect("the twin");
+    let (signature, body) = twin.split_once('{').expect("a body");
+    let declared = signature.split(", ").nth(position).expect("a parameter");
+    let name = declared.strip_suffix(": f32").expect("a number");
+    let signature = signature.replacen(declared, "given: f32", 1);
+    format!("{before}{head}{signature}{{\n    let {name}: f32 = 0.999 * given;{body}")
+}
+
+#[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
+fn a_parameter_that_is_a_little_off_is_caught_in_every_model() {
+    let gpu = gpu();
+    let library = shader::library();
+    for model in MODELS {
+        for (position, row) in model.params.iter().enumerate() {
+            let planted = with_parameter_off(&library, model, position);
+            let worst = worst_model_distance(&gpu, &planted, Some(model));
+            assert!(
+                worst > 2.0 * MODEL_TOLERANCE,
+                "{} of {} went unnoticed: {worst:e}",
+                row.key(),
+                model.key
+            );
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use crate::app::msg::Msg;
 use crate::app::panels::{fit, fit_result, lesson, library, model};
 use crate::app::state::State;
 use crate::app::state::side_panels::{Side, SideTab};
-use crate::brdf::params;
+use crate::brdf::all_params;
 use egui::{Align, Align2, FontId, Layout, Panel, Pos2, Sense, Ui, WidgetInfo, vec2};
 
 /// Width in points below which a window is narrow.
@@ -52,7 +52,7 @@ fn looked_at(state: &State) -> Option<SideTab> {
     if state.looks_at(LookAt::Fit) {
         return Some(SideTab::Fit);
     }
-    let params = params::all().map(|row| LookAt::Param(row.id));
+    let params = all_params().map(|row| LookAt::Param(row.id));
     let mut model = params.chain([LookAt::Model]);
     model
         .any(|what| state.looks_at(what))

@@ -16,7 +16,7 @@ use crate::app::state::session::{Crashed, DAMAGED, Missing};
 use crate::app::state::session_mark::SessionMark;
 use crate::app::state::subject_key::{SubjectKey, What};
 use crate::app::state::{Scene, State};
-use crate::brdf::{Fresnel, Model, ParamId};
+use crate::brdf::{Fresnel, Model, param_by_key};
 use crate::files;
 use crate::fit::{STAGES, Variant};
 use crate::measured::Table;
@@ -207,12 +207,12 @@ fn settings(saved: &SavedFitting) -> FitSettings {
         held: saved
             .held
             .iter()
-            .filter_map(|key| ParamId::by_key(key))
+            .filter_map(|key| param_by_key(key))
             .collect(),
         bounds: saved
             .bounds
             .iter()
-            .filter_map(|(key, bounds)| Some((ParamId::by_key(key)?, *bounds)))
+            .filter_map(|(key, bounds)| Some((param_by_key(key)?, *bounds)))
             .collect(),
         from_sliders: saved.from_sliders,
     }

@@ -5,7 +5,7 @@ use crate::app::state::layout::Tiles;
 use crate::app::state::settings_map::SettingsMap;
 use crate::brdf;
 use crate::brdf::params::ETA;
-use crate::brdf::{Brdf, Model, ParamId};
+use crate::brdf::{Brdf, Model, ParamId, param_by_key};
 use crate::files::fits;
 use crate::files::fits::FitRecord;
 use crate::files::path_text;
@@ -98,7 +98,7 @@ impl<'de> Deserialize<'de> for SavedBrdf {
         if let Some(model) = model.and_then(Model::by_key)
             && let Some(object) = value.as_object_mut()
         {
-            object.retain(|key, _| ParamId::by_key(key).is_none_or(|id| model.param(id).is_some()));
+            object.retain(|key, _| param_by_key(key).is_none_or(|id| model.param(id).is_some()));
         }
         let mut brdf = brdf::json::from_value(&value).map_err(D::Error::custom)?;
         let eta = value.get(ParamId::ETA.key()).and_then(Value::as_f64);

@@ -4,7 +4,7 @@
 use crate::app::session::file::{SavedFitting, SavedMaterial, SavedProbe, SavedWhat, SessionFile};
 use crate::app::state::fitting::settings::widest_bounds;
 use crate::brdf::params::Param;
-use crate::brdf::{Fresnel, MODELS, Model, params};
+use crate::brdf::{Fresnel, MODELS, Model, all_params};
 use crate::fit::{STAGES, Stage};
 use crate::geom::directions::unit;
 use crate::measured::samples::SAMPLES;
@@ -64,7 +64,7 @@ fn fitting(fit: &mut SavedFitting) {
     fit.limit = fit.limit.clamp(LEAST_LIMIT, FRAC_PI_2);
     let stages: Vec<usize> = STAGES.map(Stage::number).into();
     fit.stages = keep(stages, &fit.stages);
-    let keys: Vec<String> = params::all().map(|row| row.key().into()).collect();
+    let keys: Vec<String> = all_params().map(|row| row.key().into()).collect();
     fit.held = keep(keys, &fit.held);
     fit.bounds = std::mem::take(&mut fit.bounds)
         .into_iter()

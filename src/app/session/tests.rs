@@ -29,6 +29,7 @@ use crate::brdf::{Brdf, Fresnel, MODELS, Params};
 use crate::figure::error_map::Plane;
 use crate::figure::lobes::LobeScale;
 use crate::figure::scale::RadialScale;
+use crate::figure::scatter::Quantity;
 use crate::figure::shown::Shown;
 use crate::figure::slices::{Over, Residual};
 use crate::figure::{Channel, CosineFactor};
@@ -268,7 +269,7 @@ fn what_old_sessions_said_of_grey_is_no_unknown_key() {
 }
 
 /// Changes that a session keeps, one each.
-const CHANGES: [fn(&mut State); 27] = [
+const CHANGES: [fn(&mut State); 29] = [
     |s| s.scene.selected = 3,
     |s| s.scene.opened.truncate(2),
     |s| s.scene.opened[1].brdf.params.k_s[2] += 1e-9,
@@ -293,6 +294,8 @@ const CHANGES: [fn(&mut State); 27] = [
     |s| s.scene.views.get_mut::<ErrorMapSettings>().scale = RadialScale::Log,
     |s| s.scene.views.get_mut::<LandscapeSettings>().view.y = (0.5, 1.0),
     |s| s.scene.views.get_mut::<ScatterSettings>().window = Some([2.0, 50.0]),
+    |s| s.scene.views.get_mut::<ScatterSettings>().model = MODELS[5],
+    |s| s.scene.views.get_mut::<ScatterSettings>().y = Some(Quantity::Error),
     |s| s.fit.settings.from_sliders = true,
     |s| s.fit.settings.limit = NO_LIMIT,
     |s| s.fit.table.sort = Column::Name,

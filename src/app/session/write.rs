@@ -8,7 +8,7 @@ use crate::app::state::State;
 use crate::app::state::fitting::FitState;
 use crate::app::state::material::{MaterialId, Opened, Origin, Presence};
 use crate::app::state::subject_key::{SubjectKey, What};
-use crate::brdf::params;
+use crate::brdf::all_params;
 use crate::files::session::SavedSource;
 use crate::fit::Stage;
 use crate::measured::samples::SAMPLES;
@@ -104,7 +104,7 @@ fn fitting(fit: &FitState) -> SavedFitting {
         weight: settings.weight,
         limit: settings.limit,
         stages: settings.stages.iter().map(Stage::number).collect(),
-        held: params::all()
+        held: all_params()
             .filter(|row| settings.held.contains(&row.id))
             .map(|row| row.key().into())
             .collect(),

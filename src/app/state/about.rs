@@ -21,8 +21,8 @@ pub enum OnPaper {
     Always,
     /// The shown material has data.
     WithData,
-    /// Some material has a fit of the combined model.
-    WithCombinedFits,
+    /// Some material has a fit of the model whose materials are shown.
+    WithMaterials,
 }
 
 /// Row of a view: what there is to know about it without drawing it.

@@ -5,7 +5,8 @@ use crate::app::state::about::OnPaper;
 use crate::app::state::material::{Material, Presence};
 use crate::app::state::session::Missing;
 use crate::app::state::views::ViewId;
-use crate::brdf::{Brdf, COMBINED};
+use crate::app::views::scatter::settings::ScatterSettings;
+use crate::brdf::Model;
 use crate::files::session;
 use std::path::Path;
 
@@ -70,20 +71,24 @@ impl State {
             OnPaper::Never => false,
             OnPaper::Always => true,
             OnPaper::WithData => material.table.valid_count() > 0,
-            OnPaper::WithCombinedFits => self.has_combined_fits(),
+            OnPaper::WithMaterials => {
+                self.has_fits_of(self.scene.views.get::<ScatterSettings>().model)
+            }
         }
     }
 
-    /// Whether some material, open or in the folder, has a fit of the combined model.
-    fn has_combined_fits(&self) -> bool {
-        let combined = |brdf: &Brdf| brdf.model == &COMBINED;
+    /// Whether some material, open or in the folder, has a fit of a model.
+    pub fn has_fits_of(&self, model: &Model) -> bool {
         let open = self
             .scene
             .opened
             .iter()
             .filter_map(|opened| self.materials.get(&opened.id));
         let mut kept = open.flat_map(|material| &material.fits);
-        kept.any(|fit| combined(&fit.outcome.brdf))
-            || self.library.folder_fits().any(|fit| combined(&fit.brdf))
+        kept.any(|fit| fit.outcome.brdf.model == model)
+            || self
+                .library
+                .folder_fits()
+                .any(|fit| fit.brdf.model == model)
     }
 }

@@ -1,6 +1,7 @@
 //! Settings of a view, with and without their type.
 
 use crate::app::state::view_id::ViewId;
+use crate::keys;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
@@ -32,7 +33,16 @@ impl SettingsKind {
             default: || AnySettings::new(T::default()),
             read: |value| {
                 let known = serde_json::to_value(T::default())?;
-                T::deserialize(with_known_keys(value, &known)).map(AnySettings::new)
+                let mut kept = with_known_keys(value, &known);
+                // Keys that are not written where they are as at first.
+                for key in keys::names::<T>() {
+                    if let (Some(to), None, Some(from)) =
+                        (kept.as_object_mut(), known.get(key), value.get(key))
+                    {
+                        to.insert((*key).to_owned(), from.clone());
+                    }
+                }
+                T::deserialize(kept).map(AnySettings::new)
             },
         }
     }

@@ -44,10 +44,26 @@ fn substituted(formula: &str, symbol: &str, number: &str) -> String {
         let alone = !in_word(text.chars().next_back())
             && !in_word(after.chars().next())
             && !text.ends_with("_{");
-        text += if alone { number } else { symbol };
+        text += &if alone {
+            placed(number, &text, after)
+        } else {
+            symbol.to_owned()
+        };
         rest = after;
     }
     text + rest
+}
+
+/// A number as it stands between two pieces of a formula: a power of ten is no part of another power.
+fn placed(number: &str, before: &str, after: &str) -> String {
+    if before.ends_with("^{") {
+        // Levels of scripts do not nest.
+        number.replace("·10^{", "e").replace('}', "")
+    } else if number.contains('^') && after.starts_with(['²', '^']) {
+        format!("({number})")
+    } else {
+        number.to_owned()
+    }
 }
 
 fn color(values: &[f64]) -> String {
@@ -104,7 +120,38 @@ mod tests {
             "(1 − 0.5)(ω_{r}·ω_{o})"
         );
     }
-    use crate::brdf::{Model, Params};
+    use crate::brdf::{MODELS, Model, Params};
+    use crate::figure::RichText;
+
+    #[test]
+    fn every_parameter_is_in_the_formula_of_its_model() {
+        let live = |model: &Model, symbol: &str| substituted(model.formula, symbol, "?");
+        for model in MODELS {
+            for row in model.params {
+                let text = live(model, row.symbol);
+                assert!(text.contains('?'), "{} lacks {}", model.key, row.symbol);
+            }
+            // Two lines of the panel, of 285 points each, at 15 points.
+            let whole = symbolic(&Brdf::new(model, Fresnel::Exact));
+            let width = RichText::parse(&whole).width_em();
+            println!("{} {width}", model.key);
+            assert!(width <= 38.0, "{}: {width}", model.key);
+        }
+        // Planted: a symbol that stands in no formula, and one that is only a letter of a word.
+        assert!(!live(MODELS[0], "α").contains('?'));
+        assert!(!substituted("tan²θ_{a} exp", "a", "?").contains('?'));
+    }
+
+    #[test]
+    fn a_power_of_ten_is_no_part_of_a_power() {
+        for (formula, number, expected) in [
+            ("x^{s}", "2.00·10^{6}", "x^{2.00e6}"),
+            ("s² s", "2.00·10^{−4}", "(2.00·10^{−4})² 2.00·10^{−4}"),
+            ("s²", "12", "12²"),
+        ] {
+            assert_eq!(substituted(formula, "s", number), expected);
+        }
+    }
 
     #[test]
     fn formulas_show_the_live_numbers() {

@@ -56,6 +56,55 @@ pub fn gesture(ui: &egui::Ui, response: &egui::Response, frame: &PlotFrame) -> O
     }
 }
 
+/// Change of both axes of a plot by a gesture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PlaneZoom {
+    /// New ends of x and of y; `None` for an axis that stays.
+    Ends([Option<[f64; 2]>; 2]),
+    /// Reset of both axes to what they were.
+    Reset,
+}
+
+/// The gesture on a plot whose axes are alike, if there is one: inside the frame the wheel zooms both about the pointer and a
+/// drag pans; left of it y alone, below it x alone.
+pub fn plane_gesture(
+    ui: &egui::Ui,
+    response: &egui::Response,
+    frame: &PlotFrame,
+) -> Option<PlaneZoom> {
+    if response.double_clicked() {
+        return Some(PlaneZoom::Reset);
+    }
+    let place = |at: Pos2| -> [f32; 2] { (at - response.rect.min).into() };
+    let meant = |at: Pos2| {
+        let [x, y] = place(at);
+        // In the corner, where both would be left out, both are meant.
+        let (left, below) = (x < frame.min[0], y > frame.max[1]);
+        [!left || below, !below || left]
+    };
+    if response.dragged_by(PointerButton::Primary) {
+        let by = response.drag_delta();
+        if by == egui::Vec2::ZERO {
+            return None;
+        }
+        let pressed = ui.input(|input| input.pointer.press_origin());
+        let [x, y] = pressed.map_or([true; 2], meant);
+        let [width, height] = frame.size().map(|length| f64::from(length.max(1.0)));
+        return Some(PlaneZoom::Ends([
+            x.then(|| frame.x.moved(-f64::from(by.x) / width)),
+            y.then(|| frame.y.moved(f64::from(by.y) / height)),
+        ]));
+    }
+    let at = response.hover_pos()?;
+    let factor = wheel(ui)?;
+    let [x, y] = meant(at);
+    let [across, up] = frame.shares(place(at)).map(|share| share.clamp(0.0, 1.0));
+    Some(PlaneZoom::Ends([
+        x.then(|| frame.x.zoomed(across, factor)),
+        y.then(|| frame.y.zoomed(up, factor)),
+    ]))
+}
+
 impl Zoom {
     /// Moves the part in sight of a plot whose x is an angle in radians within `range` and whose y is `axis`.
     pub fn apply(

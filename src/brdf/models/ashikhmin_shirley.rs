@@ -23,6 +23,7 @@ use std::f64::consts::PI;
 pub static MODEL: Model = Model {
     key: "ashikhmin-shirley",
     name: "Ashikhmin-Shirley",
+    word: "Ashikhmin-Shirley",
     source: "[AshikhminShirley00]",
     formula: "(s+1)/(8π) · (ω_{h}·n)^{s} / ((ω_{i}·ω_{h}) max(ω_{i}·n, ω_{o}·n))",
     params: &[exponent::S_OF_WH],

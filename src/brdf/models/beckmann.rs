@@ -22,8 +22,9 @@ use crate::geom::Cosines;
 pub static MODEL: Model = Model {
     key: "beckmann",
     name: "Beckmann",
+    word: "Beckmann",
     source: "[Walter07]",
-    formula: "D G_{1}(ω_{i}) G_{1}(ω_{o}) / (4 (ω_{i}·n)(ω_{o}·n))",
+    formula: "exp(−tan²θ_{h}/a²) G(a) / (4π a² cos^{4}θ_{h} cosθ_{i} cosθ_{o})",
     params: &[microfacet::ROUGHNESS],
     lobe,
     wgsl: include_str!("beckmann.wgsl"),

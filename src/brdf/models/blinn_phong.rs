@@ -18,6 +18,7 @@ use std::f64::consts::PI;
 pub static MODEL: Model = Model {
     key: "blinn-phong",
     name: "Blinn-Phong",
+    word: "Blinn-Phong",
     source: "[Nielsen14] after [AkenineMoller08]",
     formula: "(ω_{h}·n)^{s}",
     params: &[exponent::S_OF_WH],

@@ -19,6 +19,7 @@ use crate::geom::{Cosine, Cosines};
 pub static MODEL: Model = Model {
     key: "combined",
     name: "Combined",
+    word: "combined",
     source: "[Nielsen14], the poster's new model",
     formula: "((1 − α)(ω_{r}·ω_{o}) + α(ω_{h}·n)^{4})^{s}",
     params: &[exponent::S, ALPHA],

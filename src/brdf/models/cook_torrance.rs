@@ -23,8 +23,9 @@ use crate::geom::Cosines;
 pub static MODEL: Model = Model {
     key: "cook-torrance",
     name: "Cook-Torrance",
+    word: "Cook-Torrance",
     source: "[CookTorrance82], as fitted by [Ngan05]",
-    formula: "D G / (4 (ω_{i}·n)(ω_{o}·n))",
+    formula: "exp(−tan²θ_{h}/m²) G / (4π m² cos^{4}θ_{h} cosθ_{i} cosθ_{o})",
     params: &[ROUGHNESS],
     lobe,
     wgsl: include_str!("cook_torrance.wgsl"),

@@ -23,8 +23,9 @@ use std::f64::consts::PI;
 pub static MODEL: Model = Model {
     key: "ggx",
     name: "GGX",
+    word: "GGX",
     source: "[Walter07]",
-    formula: "D G_{1}(ω_{i}) G_{1}(ω_{o}) / (4 (ω_{i}·n)(ω_{o}·n))",
+    formula: "a² G(a) / (4π cos^{4}θ_{h} (a² + tan²θ_{h})² cosθ_{i} cosθ_{o})",
     params: &[microfacet::ROUGHNESS],
     lobe,
     wgsl: include_str!("ggx.wgsl"),

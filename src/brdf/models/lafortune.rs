@@ -26,6 +26,7 @@ use std::f64::consts::PI;
 pub static MODEL: Model = Model {
     key: "lafortune",
     name: "Lafortune",
+    word: "Lafortune",
     source: "[Lafortune97]",
     formula: "((c_{z}(ω_{i}·n)(ω_{o}·n) − (ω_{i}·ω_{o})_{t}) / max(1, c_{z}))^{s}",
     params: &[exponent::S, C_Z],

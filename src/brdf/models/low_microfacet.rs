@@ -23,6 +23,7 @@ use crate::geom::Cosines;
 pub static MODEL: Model = Model {
     key: "low-microfacet",
     name: "Löw microfacet",
+    word: "Löw microfacet",
     source: "[Low12]",
     formula: "(1 + B(1 − ω_{h}·n))^{−C} G / ((ω_{i}·n)(ω_{o}·n))",
     params: &[B, low_smooth::C],

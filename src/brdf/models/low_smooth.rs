@@ -24,6 +24,7 @@ use crate::geom::Cosines;
 pub static MODEL: Model = Model {
     key: "low-smooth",
     name: "Löw smooth",
+    word: "Löw smooth",
     source: "[Low12]",
     formula: "(1 + B|D_{p}|²)^{−C}",
     params: &[B, C],

@@ -18,6 +18,7 @@ use std::f64::consts::PI;
 pub static MODEL: Model = Model {
     key: "phong",
     name: "Phong",
+    word: "Phong",
     source: "[Nielsen14] after [AkenineMoller08]",
     formula: "(ω_{r}·ω_{o})^{s}",
     params: &[exponent::S],

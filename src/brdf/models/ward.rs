@@ -21,6 +21,7 @@ use std::f64::consts::PI;
 pub static MODEL: Model = Model {
     key: "ward",
     name: "Ward",
+    word: "Ward",
     source: "[Ward92]",
     formula: "exp(−tan²θ_{h}/a²) / (4π a² √((ω_{i}·n)(ω_{o}·n)))",
     params: &[microfacet::ROUGHNESS],

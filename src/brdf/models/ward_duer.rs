@@ -21,6 +21,7 @@ use std::f64::consts::PI;
 pub static MODEL: Model = Model {
     key: "ward-duer",
     name: "Ward-Dür",
+    word: "Ward-Dür",
     source: "[Duer06]",
     formula: "exp(−tan²θ_{h}/a²) / (4π a² (ω_{i}·n)(ω_{o}·n))",
     params: &[microfacet::ROUGHNESS],

@@ -1,6 +1,6 @@
 //! The values of the options of `grazing fit`: each function says in one line what is wrong and what was expected.
 
-use crate::brdf::{MODELS, Model, PHONG_FAMILY, Param, ParamId, params};
+use crate::brdf::{MODELS, Model, PHONG_FAMILY, Param, ParamId, all_params};
 use crate::fit::{Partial, Stage, StageSet};
 use crate::keys;
 use crate::quote::{quoted, shown};
@@ -85,7 +85,7 @@ pub fn stages(text: &str) -> Result<StageSet, String> {
 /// Parameters with values: `s=30,k_s=1:2:3`.
 pub fn values(text: &str) -> Result<Partial, String> {
     let mut found = Partial::default();
-    let keys = || params::all().map(Param::key);
+    let keys = || all_params().map(Param::key);
     let all = || keys().collect::<Vec<_>>().join(", ");
     for part in text.split(',') {
         let Some((key, value)) = part.split_once('=') else {
@@ -96,7 +96,7 @@ pub fn values(text: &str) -> Result<Partial, String> {
             ));
         };
         let key = key.trim();
-        let Some(row) = params::all().find(|row| row.key() == key) else {
+        let Some(row) = all_params().find(|row| row.key() == key) else {
             let proposal = keys::did_you_mean(key, keys());
             return Err(format!(
                 "there is no parameter {}; expected one of {}{proposal}",

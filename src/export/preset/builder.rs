@@ -1,11 +1,12 @@
 //! The rows of a preset's page, from materials and options.
 
 use super::{Preset, PresetMaterial, PresetOptions};
+use crate::brdf::{Fresnel, ParamId};
 use crate::export::spec::{SubjectLook, SubjectSource, SubjectSpec};
 use crate::figure::ViewSpec;
 use crate::figure::lobes::{LobeScale, LobeSpec};
 use crate::figure::page::{PanelSpec, RowSpec};
-use crate::figure::scatter::ScatterSpec;
+use crate::figure::scatter::{Quantity, ScatterSpec};
 use crate::figure::shown::Shown;
 use crate::figure::sphere_image::{SphereShow, SphereSpec};
 
@@ -167,12 +168,22 @@ impl Builder<'_> {
     }
 
     pub fn scatter(&self) -> Vec<RowSpec> {
+        let mut spec = ScatterSpec {
+            model: self.options.model,
+            ..ScatterSpec::default()
+        };
+        // Without a Fresnel factor η says nothing.
+        if self.options.fresnel == Fresnel::None
+            && spec.quantities()[1] == Quantity::Param(ParamId::ETA)
+        {
+            spec.y = Some(Quantity::Param(ParamId::K_S));
+        }
         let models = (0..self.materials.len()).map(|index| self.first(index) + 1);
         vec![RowSpec {
             panels: vec![PanelSpec {
                 heading: None,
                 subjects: models.collect(),
-                view: ViewSpec::Scatter(ScatterSpec::default()),
+                view: ViewSpec::Scatter(spec),
             }],
             ..RowSpec::default()
         }]

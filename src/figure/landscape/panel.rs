@@ -1,6 +1,6 @@
 //! The error landscape on paper.
 
-use super::{LandscapeSpec, Terrain};
+use super::{LandscapeSpec, Terrain, axes};
 use crate::brdf::Fresnel;
 use crate::figure::faults::Faults;
 use crate::figure::fit_output::FitOutput;
@@ -92,7 +92,8 @@ impl PanelView for LandscapePanel {
 
 /// E in percent at the nodes of a landscape.
 fn table(terrain: &Terrain) -> DataTable {
-    let mut table = DataTable::new(&["s", "alpha", "percent_e"]);
+    let [x, y] = axes();
+    let mut table = DataTable::new(&[x.key(), y.key(), "percent_e"]);
     let nodes = terrain
         .alpha
         .iter()

@@ -87,7 +87,11 @@ impl PanelSpec {
         self.subjects.retain(|subject| *subject < subjects);
         faults.inside("view", |faults| {
             let key = self.view.key();
-            faults.inside(key, |faults| self.view.panel_mut().sanitize(faults));
+            faults.inside(key, |faults| {
+                let view = self.view.panel_mut();
+                view.sanitize(faults);
+                view.check_subjects(self.subjects.len(), faults);
+            });
         });
     }
 }

@@ -1,41 +1,51 @@
 //! The materials on paper.
 
-use super::{ScatterDot, ScatterPlot};
+use super::plot::{ScatterDot, ScatterPlot};
+use super::quantity::Quantity;
+use super::spec::ScatterSpec;
 use crate::figure::faults::{Faults, list};
 use crate::figure::palette::Role;
 use crate::figure::panel::{PanelDrawing, PanelInput, PanelView};
 use crate::figure::subject::Source;
 use crate::figure::table::DataTable;
-use serde::{Deserialize, Serialize};
 
-/// Ends that are farther out or nearer to each other show nothing more.
-const ENDS: [f64; 2] = [1e-4, 1e8];
-const CLOSEST: f64 = 1.05;
-
-/// The plot of materials on paper: the models by s and α of the combined model, in the colours of their series.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct ScatterSpec {
-    /// Ends of the axis of s; around all dots without.
-    pub window: Option<[f64; 2]>,
-}
-
-impl ScatterSpec {
-    /// Whether the axis of s can have these ends.
-    pub fn are_ends([low, high]: [f64; 2]) -> bool {
-        low >= ENDS[0] && high <= ENDS[1] && high >= CLOSEST * low
-    }
-}
+/// Values of E: those of a fit, and of models that are far off.
+const ERRORS: [f64; 2] = [0.0, 1e12];
 
 impl PanelView for ScatterSpec {
     fn sanitize(&mut self, faults: &mut Faults) {
-        if let Some(ends) = self.window.filter(|ends| !Self::are_ends(*ends)) {
-            let [low, high] = ENDS;
-            let expected = format!(
-                "two values from {low:?} to {high:?}, the second at least {CLOSEST} times the first, or null"
-            );
-            faults.add("window", list(&ends), expected);
-            self.window = None;
+        let model = self.model;
+        for (key, quantity) in [("x", &mut self.x), ("y", &mut self.y)] {
+            if let Some(unknown) = quantity.filter(|quantity| quantity.row(model).is_none()) {
+                let keys: Vec<&str> = Quantity::all(model).iter().map(|one| one.key()).collect();
+                let expected = format!("one of {}, which {} has", keys.join(", "), model.key);
+                faults.add(key, format_args!("{:?}", unknown.key()), expected);
+                *quantity = None;
+            }
+        }
+        let [x, y] = self.rows();
+        for (key, window, row) in [
+            ("window", &mut self.window, x),
+            ("y_window", &mut self.y_window, y),
+        ] {
+            if let Some(ends) = window.filter(|ends| !row.are_ends(*ends)) {
+                faults.add(key, list(&ends), row.expected_ends());
+                *window = None;
+            }
+        }
+        faults.inside("errors", |faults| {
+            for (position, error) in self.errors.iter_mut().enumerate() {
+                faults.number(&position.to_string(), error, ERRORS);
+            }
+        });
+    }
+
+    fn check_subjects(&self, count: usize, faults: &mut Faults) {
+        if self.shows_error() && self.errors.len() != count {
+            let expected = format!("{count}, the E of each subject of the panel as a share");
+            faults.inside("errors", |faults| {
+                faults.add("length", self.errors.len(), expected);
+            });
         }
     }
 
@@ -44,17 +54,17 @@ impl PanelView for ScatterSpec {
     }
 
     fn draw(&self, input: &PanelInput) -> PanelDrawing {
-        let dots: Vec<ScatterDot> = input
-            .subjects
-            .iter()
-            .filter_map(|subject| {
+        let subjects = input.subjects.iter().enumerate();
+        let dots: Vec<ScatterDot> = subjects
+            .filter_map(|(position, subject)| {
                 let Source::Model(brdf) = &subject.source else {
                     return None;
                 };
+                let [x, y] = self.values(brdf, self.errors.get(position).copied())?;
                 Some(ScatterDot {
                     name: subject.label.clone(),
-                    s: brdf.params.lobe[0],
-                    alpha: brdf.params.lobe[1],
+                    x,
+                    y,
                     fill: Role::Series(subject.series),
                     ring: None,
                     shown: false,
@@ -62,19 +72,22 @@ impl PanelView for ScatterSpec {
             })
             .collect();
         PanelDrawing {
-            table: table(&dots),
+            table: self.table(&dots),
             axis: None,
-            drawing: ScatterPlot::new(&dots, self.window, input.size).drawing,
+            drawing: ScatterPlot::new(&dots, self, input.size).drawing,
         }
     }
 }
 
-/// Materials by s and α.
-fn table(dots: &[ScatterDot]) -> DataTable {
-    let mut table = DataTable::new(&["material", "s", "alpha"]);
-    for dot in dots {
-        let name = dot.name.as_str().into();
-        table.rows.push(vec![name, dot.s.into(), dot.alpha.into()]);
+impl ScatterSpec {
+    /// Materials by the two quantities.
+    fn table(&self, dots: &[ScatterDot]) -> DataTable {
+        let [x, y] = self.rows();
+        let mut table = DataTable::new(&["material", x.column, y.column]);
+        for dot in dots {
+            let name = dot.name.as_str().into();
+            table.rows.push(vec![name, dot.x.into(), dot.y.into()]);
+        }
+        table
     }
-    table
 }

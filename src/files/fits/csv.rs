@@ -2,7 +2,7 @@
 
 use super::json::angle_key;
 use super::record::FitRecord;
-use crate::brdf::params;
+use crate::brdf::all_params;
 use crate::files::path_text;
 use crate::fit::Partial;
 use crate::fit::outcome::ALBEDO_ANGLES;
@@ -29,7 +29,7 @@ fn columns() -> Vec<String> {
         .map(String::from)
         .to_vec();
     columns.extend(colors("error".into()));
-    for row in params::all() {
+    for row in all_params() {
         if row.id.is_color() {
             columns.extend(colors(row.key().into()));
         } else {
@@ -64,7 +64,7 @@ fn row(fit: &FitRecord) -> Vec<String> {
         fit.errors.grazing.map_or(String::new(), number),
     ];
     row.extend(fit.errors.channels.map(number));
-    for param in params::all() {
+    for param in all_params() {
         if fit.brdf.uses(param.id) {
             row.extend(fit.brdf.get(param.id).iter().copied().map(number));
         } else {

@@ -1,7 +1,7 @@
 //! Fits as JSON: one line per fit, numbers as the shortest text that reads back as the same f64.
 
 use super::record::{FitEntry, FitRecord, SourceFile, StageRecord};
-use crate::brdf::{self, Brdf, ParamId, params};
+use crate::brdf::{self, Brdf, ParamId, all_params};
 use crate::fit::options::Bounds;
 use crate::fit::outcome::ALBEDO_ANGLES;
 use crate::fit::{EndReason, Errors, FitOptions, Partial, Stage, Weight};
@@ -193,7 +193,7 @@ impl Keys {
     }
 
     fn values(&self) -> Partial {
-        let shared = params::all().filter(|row| !row.id.is_color());
+        let shared = all_params().filter(|row| !row.id.is_color());
         let shared = shared.filter_map(|row| Some((row.id, self.get(row.id)?)));
         Partial {
             rho_d: self.get(ParamId::RHO_D),

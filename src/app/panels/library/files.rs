@@ -86,7 +86,7 @@ fn file_ui(ui: &mut egui::Ui, state: &State, file: &FolderFile, id: egui::Id, ou
         let fill = visuals.widgets.hovered.weak_bg_fill.gamma_multiply(0.6);
         ui.painter().rect_filled(rect, 3.0, fill);
     }
-    let best = state.library.best_fit(&file.path);
+    let best = state.library.listed_fit(&file.path);
     let [first, second] = if is_pending {
         ["Loading…".into(), String::new()]
     } else {

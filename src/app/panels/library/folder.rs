@@ -5,9 +5,10 @@ use crate::app::msg::Msg;
 use crate::app::msg::library::{FolderMsg, LibraryMsg};
 use crate::app::panels::library::files;
 use crate::app::state::State;
-use crate::app::state::library::listing::{FileSort, SORT_KEYS};
-use crate::app::state::library::{Folder, Scan};
+use crate::app::state::library::listing::{FileSort, SORT_KEYS, SortKey};
+use crate::app::state::library::{Folder, Library, Scan};
 use crate::app::state::prefs::MemoryLimit;
+use crate::app::widgets::paint::plain;
 use crate::files::folder::shown_name;
 use egui::{Key, Modifiers};
 
@@ -111,7 +112,7 @@ fn search_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     let library = &state.library;
     ui.horizontal(|ui| {
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            sort_ui(ui, library.sort, out);
+            sort_ui(ui, library, out);
             let mut text = library.search.clone();
             let field = egui::TextEdit::singleline(&mut text)
                 .hint_text("Search")
@@ -134,14 +135,18 @@ fn search_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
     });
 }
 
-fn sort_ui(ui: &mut egui::Ui, sort: FileSort, out: &mut Vec<Msg>) {
+fn sort_ui(ui: &mut egui::Ui, library: &Library, out: &mut Vec<Msg>) {
+    let sort = library.sort;
     let menu = ui.menu_button("Sort", |ui| {
-        for (key, name) in SORT_KEYS {
-            if ui.selectable_label(sort.key == key, name).clicked() {
-                out.push(Msg::Library(
-                    FolderMsg::Sort(FileSort { key, ..sort }).into(),
-                ));
-            }
+        for key in SORT_KEYS {
+            key_ui(ui, sort, key, out);
+        }
+        for model in library.fitted_models() {
+            ui.menu_button(model.name, |ui| {
+                for row in model.rows() {
+                    key_ui(ui, sort, SortKey::Param(model, row.id), out);
+                }
+            });
         }
         ui.separator();
         for (descending, name) in [(false, "Ascending"), (true, "Descending")] {
@@ -155,10 +160,6 @@ fn sort_ui(ui: &mut egui::Ui, sort: FileSort, out: &mut Vec<Msg>) {
             }
         }
     });
-    let name = SORT_KEYS
-        .iter()
-        .find(|(key, _)| *key == sort.key)
-        .map_or("", |(_, name)| name);
     menu.response
         .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, "Order of the folder"));
     let direction = if sort.descending {
@@ -166,8 +167,22 @@ fn sort_ui(ui: &mut egui::Ui, sort: FileSort, out: &mut Vec<Msg>) {
     } else {
         "ascending"
     };
+    let model = match sort.key {
+        SortKey::Param(model, _) => format!("{}: ", model.name),
+        _ => String::new(),
+    };
+    let name = plain(&sort.key.name());
     menu.response
-        .on_hover_text(format!("Order of the files: {name}, {direction}"));
+        .on_hover_text(format!("Order of the files: {model}{name}, {direction}"));
+}
+
+/// A choice of the menu.
+fn key_ui(ui: &mut egui::Ui, sort: FileSort, key: SortKey, out: &mut Vec<Msg>) {
+    let button = ui.selectable_label(sort.key == key, plain(&key.name()));
+    if button.clicked() {
+        let sort = FileSort { key, ..sort };
+        out.push(Msg::Library(FolderMsg::Sort(sort).into()));
+    }
 }
 
 /// The fit of the folder under way.

@@ -1,6 +1,6 @@
 //! Settings of the next fit, and the setup that is kept with a fit.
 
-use crate::brdf::{Brdf, Param, ParamId, params};
+use crate::brdf::{Brdf, Param, ParamId, all_params};
 use crate::fit::options::{Bounds, NO_LIMIT};
 use crate::fit::{FitOptions, StageSet, Weight};
 use std::collections::{BTreeMap, BTreeSet};
@@ -114,7 +114,7 @@ impl Setup {
         let stages = self.options.stages.iter();
         let stages: Vec<String> = stages.map(|stage| stage.number().to_string()).collect();
         text += &format!(", stages {}", stages.join(" "));
-        let held: Vec<&str> = params::all()
+        let held: Vec<&str> = all_params()
             .filter(|row| self.options.held.has(row.id))
             .map(Param::key)
             .collect();

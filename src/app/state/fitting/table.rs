@@ -1,6 +1,6 @@
 //! The table of fits: its columns, which of them are shown, and its order.
 
-use crate::brdf::{ParamId, params};
+use crate::brdf::{ParamId, all_params};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
@@ -33,7 +33,7 @@ impl Column {
     /// All columns from left to right.
     pub fn all() -> impl Iterator<Item = Self> {
         let errors = [Self::Name, Self::Error, Self::Grazing].into_iter();
-        let params = params::all().filter(|row| !row.id.is_color());
+        let params = all_params().filter(|row| !row.id.is_color());
         errors
             .chain((0..CHANNELS.len()).map(Self::Channel))
             .chain(params.map(|row| Self::Param(row.id)))

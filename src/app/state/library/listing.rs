@@ -1,7 +1,9 @@
 //! List of the folder's files: which are shown, and in which order.
 
 use crate::app::state::library::{Examined, FileKind, FolderFile, Library};
-use crate::brdf::ParamId;
+use crate::brdf::{MODELS, Model, ParamId};
+use crate::figure::scatter::Quantity;
+use crate::files::fits::FitRecord;
 use std::cmp::Ordering;
 use std::path::{Path, PathBuf};
 
@@ -11,24 +13,39 @@ pub enum SortKey {
     /// Name, with numbers by value.
     #[default]
     Name,
-    /// E of the best fit.
-    Error,
-    /// α of the best fit.
-    Alpha,
-    /// s of the best fit.
-    Exponent,
     /// Half-width of the highlight.
     Width,
+    /// E of the best fit.
+    Error,
+    /// E of the best fit over the cells towards grazing.
+    Grazing,
+    /// Parameter of the best fit of a model; of a colour the luminance.
+    Param(&'static Model, ParamId),
 }
 
-/// All keys in the order offered, with their names on screen.
-pub const SORT_KEYS: [(SortKey, &str); 5] = [
-    (SortKey::Name, "Name"),
-    (SortKey::Error, "E of the best fit"),
-    (SortKey::Alpha, "α of the best fit"),
-    (SortKey::Exponent, "s of the best fit"),
-    (SortKey::Width, "Width of the highlight"),
+/// Keys that need no model, in the order offered.
+pub const SORT_KEYS: [SortKey; 4] = [
+    SortKey::Name,
+    SortKey::Width,
+    SortKey::Error,
+    SortKey::Grazing,
 ];
+
+impl SortKey {
+    /// Name on screen, in the markup of [`crate::figure::text`].
+    pub fn name(self) -> String {
+        match self {
+            Self::Name => "Name".into(),
+            Self::Width => "Width of the highlight".into(),
+            Self::Error => "E of the best fit".into(),
+            Self::Grazing => "Grazing E of the best fit".into(),
+            Self::Param(model, id) => match model.param(id) {
+                Some(row) => format!("{}, {}", row.symbol, row.name),
+                None => id.key().into(),
+            },
+        }
+    }
+}
 
 /// An order of the files.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -90,14 +107,30 @@ impl Library {
         rows.into_iter().map(|(index, _)| index).collect()
     }
 
+    /// The fit that a file is listed with: the best one, of the model that the order is about where it is about one.
+    pub fn listed_fit(&self, path: &Path) -> Option<&FitRecord> {
+        let SortKey::Param(model, _) = self.sort.key else {
+            return self.best_fit(path);
+        };
+        let fits = self.fits.get(path)?.iter();
+        let of_model = fits.filter(|fit| fit.brdf.model == model);
+        of_model.min_by(|a, b| a.errors.total.total_cmp(&b.errors.total))
+    }
+
+    /// The models that files of the folder have fits of.
+    pub fn fitted_models(&self) -> impl Iterator<Item = &'static Model> {
+        let of = |model: &Model| self.folder_fits().any(|fit| fit.brdf.model == model);
+        MODELS.iter().copied().filter(move |model| of(model))
+    }
+
     /// The number that a file is ordered by.
     fn value(&self, file: &FolderFile) -> Option<f64> {
-        let best = || self.best_fit(&file.path);
+        let fit = || self.listed_fit(&file.path);
         match self.sort.key {
             SortKey::Name => None,
-            SortKey::Error => Some(best()?.errors.total),
-            SortKey::Alpha => best()?.brdf.number(ParamId("alpha")),
-            SortKey::Exponent => best()?.brdf.number(ParamId("s")),
+            SortKey::Error => Some(fit()?.errors.total),
+            SortKey::Grazing => fit()?.errors.grazing,
+            SortKey::Param(_, id) => Quantity::Param(id).value(&fit()?.brdf, None),
             // What has no highlight has a wide one.
             SortKey::Width => Some(file.examined()?.half_width.unwrap_or(f64::INFINITY)),
         }
@@ -133,6 +166,7 @@ mod tests {
     use crate::app::state::library::Folder;
     use crate::app::state::library::Scan;
     use crate::app::state::library::fixtures::record;
+    use crate::brdf::{Brdf, COMBINED, Fresnel, PHONG};
     use std::path::PathBuf;
 
     fn library(names: &[&str]) -> Library {
@@ -171,8 +205,9 @@ mod tests {
         let mut library = library(&["a", "b", "c", "d"]);
         for (name, error, s) in [("b", 0.2, 5.0), ("d", 0.1, 9.0), ("d", 0.3, 1.0)] {
             let mut fit = record(s, error);
+            fit.errors.grazing = (name == "b").then_some(0.05);
             if s == 1.0 {
-                fit.brdf = fit.brdf.with_model(crate::brdf::MODELS[0]);
+                fit.brdf.model = &PHONG;
             }
             library.keep_fit(name.as_ref(), fit);
         }
@@ -183,8 +218,34 @@ mod tests {
         assert_eq!(order(SortKey::Name, true), [3, 2, 1, 0]);
         assert_eq!(order(SortKey::Error, false), [3, 1, 0, 2]);
         assert_eq!(order(SortKey::Error, true), [1, 3, 0, 2]);
-        // Of two fits the better one counts.
-        assert_eq!(order(SortKey::Exponent, false), [1, 3, 0, 2]);
+        assert_eq!(order(SortKey::Grazing, true), [1, 0, 2, 3]);
         assert_eq!(order(SortKey::Width, false), [0, 1, 2, 3]);
+        // Of two models the one that is meant.
+        let of = |model| SortKey::Param(model, ParamId("s"));
+        assert_eq!(order(of(&COMBINED), false), [1, 3, 0, 2]);
+        assert_eq!(order(of(&PHONG), false), [3, 0, 1, 2]);
+        let models: Vec<_> = library.fitted_models().collect();
+        assert_eq!(models, [&PHONG, &COMBINED]);
+        let fit = library.listed_fit("d".as_ref()).expect("a fit");
+        assert_eq!(fit.brdf.model, &PHONG);
+    }
+
+    #[test]
+    fn every_parameter_of_every_model_is_a_key_with_a_value() {
+        for model in MODELS {
+            for row in model.rows() {
+                let mut library = library(&["a", "b"]);
+                let mut fit = record(1.0, 0.1);
+                fit.brdf = Brdf::new(model, Fresnel::Exact);
+                library.keep_fit("b".as_ref(), fit);
+                let key = SortKey::Param(model, row.id);
+                library.sort = FileSort {
+                    key,
+                    descending: false,
+                };
+                assert_eq!(library.visible(), [1, 0], "{}", key.name());
+                assert!(key.name().starts_with(row.symbol));
+            }
+        }
     }
 }

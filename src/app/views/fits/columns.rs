@@ -3,7 +3,7 @@
 use crate::app::state::fitting::table::Column;
 use crate::app::views::fits::rows::FitRow;
 use crate::app::widgets::formula::{hundredths, number};
-use crate::brdf::{MODELS, ParamId, params};
+use crate::brdf::{MODELS, ParamId, all_params};
 
 /// Words and widths of a column.
 pub struct Words {
@@ -76,7 +76,7 @@ fn symbol(id: ParamId) -> String {
 
 /// Name of a parameter and the models that have it.
 fn help(id: ParamId) -> String {
-    let name = params::all().find(|row| row.id == id);
+    let name = all_params().find(|row| row.id == id);
     let name = name.map_or("", |row| row.name);
     if id == ParamId::ETA {
         return format!("{}, where there is a Fresnel factor.", first_upper(name));

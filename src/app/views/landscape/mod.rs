@@ -17,7 +17,7 @@ use crate::app::widgets::{empty, toolbar};
 use crate::brdf::{Brdf, Fresnel};
 use crate::export::fit_output::terrain;
 use crate::figure::heatmap::HeatView;
-use crate::figure::landscape::{LandscapeSpec, Terrain};
+use crate::figure::landscape::{LandscapeSpec, Terrain, axes};
 use crate::fit::landscape::{Eta, Landscape, place};
 
 /// Draws the tile.
@@ -171,7 +171,8 @@ fn tooltip(on_screen: &HeatOnScreen, landscape: &Landscape) {
         return;
     };
     on_screen.response.clone().on_hover_ui_at_pointer(|ui| {
-        ui.label(format!("s {}, α {alpha:.2}", plain(&number(s))));
+        let [x, y] = axes().map(|row| plain(row.symbol));
+        ui.label(format!("{x} {}, {y} {alpha:.2}", plain(&number(s))));
         ui.label(format!("E about {:.2} %", 100.0 * error));
         if near.fresnel != Fresnel::None {
             ui.label(format!("η {}", plain(&number(near.params.eta))));

@@ -11,11 +11,11 @@ pub const ABOUT: About = About {
     key: "scatter",
     name: "Materials",
     help: [
-        "Every material with a fit of the combined model: α over s.",
+        "Every material with a fit of a model, by two of its parameters or E; at first α over s of the combined model.",
         "At α = 0 a material is Phong-like, at α = 1 Blinn-Phong-like. Open ones have a ring.",
-        "Point to read a name and its numbers; a click shows that material. The wheel zooms, double click shows all.",
+        "Point to read a name and its numbers; a click shows that material. The wheel zooms, over an axis that one alone; double click shows all.",
     ],
     home: Home::Upper,
-    on_paper: OnPaper::WithCombinedFits,
+    on_paper: OnPaper::WithMaterials,
     settings: Some(SettingsKind::of::<ScatterSettings>()),
 };
