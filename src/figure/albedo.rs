@@ -144,6 +144,7 @@ impl AlbedoPlot {
             subjects,
             x: Axis::between(RadialScale::Linear, low, high),
             x_steps: Steps::Degrees,
+            x_names: Vec::new(),
             x_name: "θ_{i} [°]".into(),
             panels: vec![Panel {
                 axis: axis(spec, &shown),

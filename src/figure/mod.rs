@@ -26,6 +26,7 @@ pub mod panel;
 mod placing;
 pub mod plot;
 mod polyline;
+pub mod ranking;
 pub mod samples;
 pub mod scale;
 pub mod scatter;
@@ -56,6 +57,7 @@ use error_map::ErrorMapSpec;
 use image_slice::ImageSpec;
 use landscape::LandscapePanel;
 use lobe3d::Lobe3dSpec;
+use ranking::RankingSpec;
 use scatter::ScatterSpec;
 use slices::SliceSpec;
 use sphere_image::SphereSpec;
@@ -81,4 +83,6 @@ view_list::view_list! {
     Landscape(LandscapePanel),
     /// Models by two of their quantities.
     Scatter(ScatterSpec),
+    /// E of models over materials.
+    Ranking(RankingSpec),
 }

@@ -487,7 +487,7 @@ fn fitted_materials_are_dots_that_show_them() {
     let dots = fits.each_ref().map(dot);
     let place = |window: &Window| {
         let view = settings::<ScatterSettings>(window);
-        let plot = ScatterPlot::new(&dots, &view, [rect.width(), rect.height()]);
+        let plot = ScatterPlot::new(&dots, view, [rect.width(), rect.height()]);
         rect.min + egui::Vec2::from(plot.places[1].expect("a place"))
     };
     let at = place(&window);

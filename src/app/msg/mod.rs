@@ -16,6 +16,7 @@ use crate::app::msg::fit::{FitMsg, FitTask, RefitAmplitudes};
 use crate::app::msg::library::{LibraryMsg, LibraryTask};
 use crate::app::msg::session::{SessionMsg, SessionTask};
 use crate::app::msg::work::Work;
+use crate::app::state::fitted::MaterialPlace;
 use crate::app::state::job::CancelFlag;
 use crate::app::state::layout::Tiles;
 use crate::app::state::material::Origin;
@@ -135,6 +136,17 @@ impl Msg {
     /// Sets what a view shows.
     pub fn set_view(settings: impl Settings) -> Self {
         Self::SetView(AnySettings::new(settings))
+    }
+
+    /// Shows a material.
+    pub fn show_material(place: &MaterialPlace) -> Self {
+        match place {
+            MaterialPlace::Open(index) => Self::Select(*index),
+            MaterialPlace::File(path) => Self::Library(LibraryMsg::Show {
+                path: path.clone(),
+                keep: false,
+            }),
+        }
     }
 }
 

@@ -23,6 +23,8 @@ pub enum OnPaper {
     WithData,
     /// Some material has a fit of the model whose materials are shown.
     WithMaterials,
+    /// Some material has a fit.
+    WithFits,
 }
 
 /// Row of a view: what there is to know about it without drawing it.

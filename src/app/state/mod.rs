@@ -4,6 +4,7 @@ pub mod about;
 pub mod cache;
 pub mod figure;
 pub mod fits;
+pub mod fitted;
 pub mod fitting;
 pub mod folder_fit;
 pub mod history;

@@ -71,6 +71,7 @@ impl State {
             OnPaper::Never => false,
             OnPaper::Always => true,
             OnPaper::WithData => material.table.valid_count() > 0,
+            OnPaper::WithFits => !self.fitted_materials().is_empty(),
             OnPaper::WithMaterials => {
                 self.has_fits_of(self.scene.views.get::<ScatterSettings>().model)
             }

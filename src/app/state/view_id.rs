@@ -10,6 +10,7 @@ pub enum ViewId {
     Fits,
     Landscape,
     Scatter,
+    Ranking,
     Lobes,
     Slices,
     Albedo,

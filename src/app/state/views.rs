@@ -19,6 +19,7 @@ pub const VIEWS: &[About] = &[
     crate::app::views::fits::about::ABOUT,
     crate::app::views::landscape::about::ABOUT,
     crate::app::views::scatter::about::ABOUT,
+    crate::app::views::ranking::about::ABOUT,
     crate::app::views::lobes::about::ABOUT,
     crate::app::views::slices::about::ABOUT,
     crate::app::views::albedo::about::ABOUT,

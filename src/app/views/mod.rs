@@ -10,6 +10,7 @@ pub mod landscape;
 pub mod lobe3d;
 pub mod lobes;
 pub mod on_paper;
+pub mod ranking;
 pub mod scatter;
 pub mod slices;
 pub mod sphere;
@@ -50,6 +51,11 @@ pub const ROWS: &[ViewRow] = &[
         id: ViewId::Scatter,
         ui: scatter::scatter_ui,
         paper: Some(scatter::paper::ON_PAPER),
+    },
+    ViewRow {
+        id: ViewId::Ranking,
+        ui: ranking::ranking_ui,
+        paper: Some(ranking::paper::ON_PAPER),
     },
     ViewRow {
         id: ViewId::Lobes,

@@ -3,7 +3,7 @@
 use super::outline::{Outline, Panel};
 use crate::figure::drawing::{LINE_HEIGHT, Point, font_size};
 use crate::figure::legend::{SWATCH_EM, listed};
-use crate::figure::scale::{Steps, Ticks};
+use crate::figure::scale::{Axis, Steps, Ticks};
 use crate::figure::subject::Subject;
 use crate::figure::text::{RichText, elided};
 
@@ -18,10 +18,22 @@ pub(super) struct PlotLayout {
     pub right: f32,
     pub panels: Vec<PanelPlace>,
     pub x_marks: Ticks,
+    /// Names below the horizontal axis in place of numbers.
+    pub x_names: Option<NamesBelow>,
     /// Middle of the line with the numbers of x.
     pub numbers_y: f32,
     /// Middle of the line with the name of x; the numbers' own where there is no room for another.
     pub name_y: f32,
+}
+
+/// Names below an axis, upright.
+pub(super) struct NamesBelow {
+    /// Names, from left to right.
+    pub names: Vec<RichText>,
+    /// Size of the letters in points.
+    pub size: f32,
+    /// Length in points of the longest.
+    pub length: f32,
 }
 
 /// A panel's place.
@@ -41,6 +53,12 @@ const BELOW_GAP_EM: f32 = 0.68;
 const LINE_STEP: f32 = 1.04;
 /// A plot lower than this has the name of x beside its numbers.
 const ROOMY: f32 = 240.0;
+/// Size of the names below in units of the font size, at most, and in points at least: smaller ones are left out.
+const NAMES_EM: f32 = 0.9;
+const SMALLEST_NAMES: f32 = 5.0;
+/// The largest share of the height that names below take, and of the distance between two that letters do.
+const NAMES_SHARE: f32 = 0.3;
+const NAMES_FILL: f32 = 0.85;
 /// The largest share of the height that names in the legend take before they are cut shorter.
 const LEGEND_SHARE: f32 = 0.3;
 
@@ -56,7 +74,11 @@ impl PlotLayout {
         let top = pad + line * (1 + rows) as f32 + 0.6 * line;
 
         let below = if height >= ROOMY { 1.0 } else { 0.0 };
-        let bottom = height - 0.4 * pad - line * (1.0 + LINE_STEP * below) - BELOW_GAP_EM * font;
+        let x_names = names_below(outline, font, [width, height]);
+        // The names stand where the line of numbers would.
+        let names = x_names.as_ref().map_or(0.0, |below| below.length - line);
+        let bottom =
+            height - 0.4 * pad - line * (1.0 + LINE_STEP * below) - BELOW_GAP_EM * font - names;
         let titles = outline.panels.iter().skip(1).map(|panel| {
             let named = !panel.title.is_empty();
             line * if named { 1.35 } else { 0.6 }
@@ -85,9 +107,12 @@ impl PlotLayout {
                 place.title = Some((text, [left, place.top - 0.6 * line]));
             }
         }
-        let x_marks = outline.x.marks(right - left, 4.2 * font, outline.x_steps);
+        let x_marks = match &x_names {
+            Some(below) => marks_of_names(&outline.x, below.names.len()),
+            None => outline.x.marks(right - left, 4.2 * font, outline.x_steps),
+        };
         let end = panels.last().map_or(bottom, |place| place.bottom);
-        let numbers_y = end + BELOW_GAP_EM * font + 0.5 * line;
+        let numbers_y = end + BELOW_GAP_EM * font + 0.5 * line + names;
         Self {
             font,
             title: (title, [pad, first]),
@@ -96,9 +121,40 @@ impl PlotLayout {
             right,
             panels,
             x_marks,
+            x_names,
             numbers_y,
             name_y: numbers_y + LINE_STEP * line * below,
         }
+    }
+}
+
+/// The names below a plot, where they are wanted and there is room for them.
+fn names_below(outline: &Outline, font: f32, [width, height]: [f32; 2]) -> Option<NamesBelow> {
+    let apart = width / (outline.x.limit - outline.x.floor).max(1.0) as f32;
+    let size = (NAMES_EM * font).min(NAMES_FILL * apart / LINE_HEIGHT);
+    if outline.x_names.is_empty() || size < SMALLEST_NAMES {
+        return None;
+    }
+    let most = NAMES_SHARE * height / size;
+    let names = outline.x_names.iter().map(|name| elided(name, most));
+    let names: Vec<RichText> = names.collect();
+    let longest = names.iter().map(RichText::width_em).fold(0.0, f32::max);
+    Some(NamesBelow {
+        names,
+        size,
+        length: size * longest,
+    })
+}
+
+/// Marks at 1, 2, … for names.
+fn marks_of_names(axis: &Axis, count: usize) -> Ticks {
+    let ends = 0.0..=1.0;
+    Ticks {
+        major: Vec::new(),
+        minor: (1..=count)
+            .map(|k| axis.share(k as f64))
+            .filter(|share| ends.contains(share))
+            .collect(),
     }
 }
 

@@ -13,7 +13,7 @@ pub use frame::PlotFrame;
 pub use marks::PlotDot;
 pub use outline::{Outline, Panel, Pen};
 
-use super::drawing::{Anchor, Drawing, Point};
+use super::drawing::{Anchor, Drawing, Item, Point};
 use super::legend::{self, LegendEntry};
 use super::palette::{Ink, Role};
 use super::polyline;
@@ -154,6 +154,20 @@ impl Plot {
             let at = [left + width * tick.position as f32, self.plan.numbers_y];
             self.canvas
                 .try_text(tick.label.clone(), at, Anchor::CENTER, Role::Muted);
+        }
+        if let Some(below) = &self.plan.x_names {
+            for (k, name) in below.names.iter().enumerate() {
+                let x = frame.x.share((k + 1) as f64);
+                if (0.0..=1.0).contains(&x) {
+                    let at = [left + width * x as f32, bottom + gap];
+                    let mut label =
+                        self.canvas
+                            .label(name.clone(), at, Anchor::RIGHT, Role::Foreground);
+                    label.size = below.size;
+                    label.angle = -std::f32::consts::FRAC_PI_2;
+                    self.canvas.drawing.items.push(Item::Text(label));
+                }
+            }
         }
         let name = RichText::parse(&self.x_name);
         if self.plan.name_y > self.plan.numbers_y {

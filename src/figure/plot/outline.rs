@@ -15,6 +15,8 @@ pub struct Outline<'a> {
     pub x: Axis,
     /// Kind of round steps between the numbers of the horizontal axis.
     pub x_steps: Steps,
+    /// Names at 1, 2, … on the horizontal axis, upright below it in place of numbers; numbers where it is empty.
+    pub x_names: Vec<String>,
     /// Name and unit of the horizontal axis, as markup.
     pub x_name: String,
     /// Panels from above to below.

@@ -66,6 +66,7 @@ fn outline(subjects: &[Subject], scale: RadialScale, ends: [f64; 2]) -> Outline<
         subjects,
         x: Axis::between(RadialScale::Linear, -90.0, 90.0),
         x_steps: Steps::Degrees,
+        x_names: Vec::new(),
         x_name: "θ_{o} [°]".into(),
         panels: vec![
             Panel {

@@ -54,6 +54,7 @@ impl ScatterPlot {
             subjects: &[],
             x: x.axis(spec.window, dots.iter().map(|dot| dot.x)),
             x_steps: Steps::Decimal,
+            x_names: Vec::new(),
             x_name: match x.scale {
                 RadialScale::Linear => x.label(),
                 scale => format!("{}, {}", x.label(), scale.phrase()),

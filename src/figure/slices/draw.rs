@@ -34,6 +34,7 @@ pub(super) fn draw(spec: &SliceSpec, subjects: &[Subject], size: [f32; 2]) -> Sl
         subjects,
         x: Axis::between(RadialScale::Linear, low, high),
         x_steps: Steps::Degrees,
+        x_names: Vec::new(),
         x_name: format!("{} [°]", spec.over.symbol()),
         panels,
     };

@@ -7,9 +7,8 @@ mod rows;
 pub mod settings;
 
 use crate::app::msg::Msg;
-use crate::app::msg::library::LibraryMsg;
 use crate::app::state::State;
-use crate::app::views::scatter::rows::{MaterialPlace, ScatterRow, rows};
+use crate::app::views::scatter::rows::{ScatterRow, rows};
 use crate::app::views::scatter::settings::{ScatterSettings, with_ends};
 use crate::app::widgets::formula::{number, percent};
 use crate::app::widgets::zoom::PlaneZoom;
@@ -58,13 +57,7 @@ pub fn scatter_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) -> bool 
     if let Some(row) = pointed.and_then(|index| rows.get(index)) {
         ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
         if response.clicked() {
-            out.push(match &row.place {
-                MaterialPlace::Open(index) => Msg::Select(*index),
-                MaterialPlace::File(path) => Msg::Library(LibraryMsg::Show {
-                    path: path.clone(),
-                    keep: false,
-                }),
-            });
+            out.push(Msg::show_material(&row.place));
         }
         response.on_hover_ui_at_pointer(|ui| {
             ui.strong(&row.dot.name);
