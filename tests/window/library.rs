@@ -490,7 +490,7 @@ fn fitted_materials_are_dots_that_show_them() {
     let dots = fits.each_ref().map(dot);
     let place = |window: &Window| {
         let view = settings::<ScatterSettings>(window);
-        let plot = ScatterPlot::new(&dots, &view, [rect.width(), rect.height()]);
+        let plot = ScatterPlot::new(&dots, view, [rect.width(), rect.height()]);
         rect.min + egui::Vec2::from(plot.places[1].expect("a place"))
     };
     let at = place(&window);
@@ -558,7 +558,7 @@ fn materials_are_shown_by_the_model_and_the_axes_that_are_chosen() {
         }
     });
     assert_eq!((dots[1].x, dots[1].y), (0.4, 5.0));
-    let plot = ScatterPlot::new(&dots, &view, [rect.width(), rect.height()]);
+    let plot = ScatterPlot::new(&dots, view, [rect.width(), rect.height()]);
     let at = rect.min + egui::Vec2::from(plot.places[1].expect("a place"));
     // The wheel enlarges both axes about the pointer.
     window.hover_at(at);
@@ -566,7 +566,7 @@ fn materials_are_shown_by_the_model_and_the_axes_that_are_chosen() {
     wheel(&mut window, 120.0);
     let zoomed = settings::<ScatterSettings>(&window);
     assert!(zoomed.window.is_some() && zoomed.y_window.is_some());
-    let plot = ScatterPlot::new(&dots, &zoomed, [rect.width(), rect.height()]);
+    let plot = ScatterPlot::new(&dots, zoomed, [rect.width(), rect.height()]);
     let again = rect.min + egui::Vec2::from(plot.places[1].expect("a place"));
     // The numbers beside the axis have another width now.
     let [across, up] = [(again.x - at.x).abs(), (again.y - at.y).abs()];
