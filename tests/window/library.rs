@@ -15,6 +15,7 @@ use grazing::app::state::fitting::settings::FitSettings;
 use grazing::app::state::library::listing::{FileSort, SortKey};
 use grazing::app::state::library::{FileKind, Scan};
 use grazing::app::state::material::Presence;
+use grazing::app::state::prefs::MIB;
 use grazing::app::state::views::ViewId;
 use grazing::app::state::{State, memory};
 use grazing::app::views::scatter::settings::ScatterSettings;
@@ -228,7 +229,7 @@ fn tables_stay_within_the_limit_and_come_back_when_they_are_shown() {
         );
         settle(&mut window, |state| {
             let total = memory::total(state);
-            assert!(total <= u64::from(limit) * memory::MIB, "{total} bytes");
+            assert!(total <= u64::from(limit) * MIB, "{total} bytes");
             is_quiet(state)
         });
         assert_eq!(self::name(&window), name);
