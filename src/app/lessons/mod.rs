@@ -3,6 +3,7 @@
 //! Lessons are data ([`LESSONS`]). A step is performed on top of the steps before it, so that going back shows what was
 //! there whatever the learner has dragged since. All of it are ordinary edits: undo takes them back too.
 
+mod five_models;
 pub mod rows;
 
 use crate::app::lessons::rows::LESSONS;
@@ -60,6 +61,8 @@ pub enum Set {
     View(fn() -> AnySettings),
     /// Bring a tile to the front.
     Tile(ViewId),
+    /// Models to compare, by their keys, with this Fresnel factor.
+    Compare(&'static [&'static str], Fresnel),
     /// Stages of the next fit, and whether it begins at the sliders.
     Stages(StageSet, bool),
 }
@@ -112,6 +115,9 @@ mod tests {
                     match set {
                         Set::Sample(key) => assert!(SAMPLES.iter().any(|s| s.key == *key)),
                         Set::Model(key) => assert!(Model::by_key(key).is_some()),
+                        Set::Compare(keys, _) => {
+                            assert!(keys.iter().all(|key| Model::by_key(key).is_some()));
+                        }
                         Set::Lights(index) => assert!(*index < LIGHT_PRESETS.len()),
                         Set::Angles(angles, active) => assert!(*active < angles.len()),
                         _ => {}

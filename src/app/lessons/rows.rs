@@ -1,6 +1,6 @@
 //! The lessons themselves.
 
-use crate::app::lessons::{Lesson, LessonStep, LookAt, Set};
+use crate::app::lessons::{Lesson, LessonStep, LookAt, Set, five_models};
 use crate::app::state::view_settings::AnySettings;
 use crate::app::state::views::ViewId;
 use crate::app::views::disc::settings::DiscSettings;
@@ -11,7 +11,7 @@ use crate::figure::shown::Shown;
 use crate::fit::StageSet;
 
 /// All lessons in the order of the menu.
-pub const LESSONS: [Lesson; 4] = [
+pub const LESSONS: [Lesson; 5] = [
     Lesson {
         title: "Two cosines",
         about: "Phong against Blinn-Phong: what each measures, and what it does to a highlight",
@@ -67,7 +67,7 @@ pub const LESSONS: [Lesson; 4] = [
                         AnySettings::new(DiscSettings {
                             shown: Shown::Model,
                             theta_i: 70f64.to_radians(),
-                            scale: RadialScale::Linear,
+                            scale: RadialScale::Log,
                             ..DiscSettings::default()
                         })
                     }),
@@ -76,9 +76,9 @@ pub const LESSONS: [Lesson; 4] = [
                 look_at: LookAt::Tile(ViewId::Disc),
             },
             LessonStep {
-                text: "The same in numbers: in the plane of incidence at 80° Phong keeps its shape and only turns, until \
-                       the horizon cuts it off. Blinn-Phong grows towards the horizon. Try both models and drag the handle \
-                       of the light.",
+                text: "In the plane of incidence alone the two are alike: at 80° as at 30° each keeps its shape and only \
+                       turns, until the horizon cuts it off. Try both models and drag the handle of the light. A curve in \
+                       this plane does not tell them apart; the sphere and the disc do.",
                 set: &[
                     Set::Angles(&[30.0, 60.0, 80.0], 2),
                     Set::Tile(ViewId::Lobes),
@@ -103,7 +103,7 @@ pub const LESSONS: [Lesson; 4] = [
                     Set::Param(ParamId("s"), 30.0),
                     Set::Param(ParamId("alpha"), 0.0),
                     Set::Sphere(Show::Model),
-                    Set::Scale(RadialScale::Linear),
+                    Set::Scale(RadialScale::CubeRoot),
                     Set::Angles(&[5.0, 60.0, 80.0], 0),
                     Set::Tile(ViewId::Lobes),
                 ],
@@ -117,26 +117,37 @@ pub const LESSONS: [Lesson; 4] = [
                 look_at: LookAt::Tile(ViewId::Lobes),
             },
             LessonStep {
-                text: "Drag α. What changes are the lobes at 60° and 80°: α says how a material behaves at grazing \
-                       angles, and nothing else.",
+                text: "Drag α. Here are all view directions for light at 70°: what changes is the width across the plane \
+                       of incidence. α says how a material behaves at grazing angles, and nothing else.",
                 set: &[
                     Set::Param(ParamId("alpha"), 0.5),
                     Set::Angles(&[5.0, 60.0, 80.0], 2),
+                    Set::View(|| {
+                        AnySettings::new(DiscSettings {
+                            shown: Shown::Model,
+                            theta_i: 70f64.to_radians(),
+                            scale: RadialScale::Log,
+                            ..DiscSettings::default()
+                        })
+                    }),
+                    Set::Tile(ViewId::Disc),
                 ],
                 look_at: LookAt::Param(ParamId("alpha")),
             },
             LessonStep {
-                text: "This material was made to lie between the two. The solid line is the data. Drag α until the dashed \
-                       line follows it at 80°; then let the fit find it.",
+                text: "This material was made to lie between the two. The left sphere is the data. Drag α until the \
+                       highlight along the rim has the same shape on both; then let the fit find it.",
                 set: &[
                     Set::Fresnel(Fresnel::Exact),
                     Set::Param(ParamId::K_S, 6.0),
                     Set::Param(ParamId("s"), 12.0),
                     Set::Param(ParamId::ETA, 1.5),
-                    Set::Scale(RadialScale::CubeRoot),
-                    Set::Sphere(Show::Split),
+                    Set::Lights(2),
+                    Set::Sphere(Show::SideBySide),
+                    Set::Tile(ViewId::Sphere),
+                    Set::Tile(ViewId::Lobes),
                 ],
-                look_at: LookAt::Tile(ViewId::Lobes),
+                look_at: LookAt::Tile(ViewId::Sphere),
             },
         ],
     },
@@ -231,4 +242,5 @@ pub const LESSONS: [Lesson; 4] = [
             },
         ],
     },
+    five_models::LESSON,
 ];

@@ -73,6 +73,19 @@ fn choices_ui(ui: &mut egui::Ui, state: &State, out: &mut Vec<Msg>) {
         let is_chosen = |entry: &&Entry| entry.command.is_checked(state).unwrap_or(false);
         let chosen = more.iter().copied().find(is_chosen);
         let text = chosen.map_or("More", |entry| &entry.name);
+        if chosen.is_some() {
+            // As the button of a chosen model beside it.
+            let visuals = ui.visuals_mut();
+            let selection = visuals.selection;
+            for state in [
+                &mut visuals.widgets.inactive,
+                &mut visuals.widgets.hovered,
+                &mut visuals.widgets.open,
+            ] {
+                state.weak_bg_fill = selection.bg_fill;
+                state.fg_stroke = selection.stroke;
+            }
+        }
         let menu = egui::ComboBox::from_id_salt("more models")
             .width(MORE)
             .truncate()

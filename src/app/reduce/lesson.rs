@@ -6,6 +6,7 @@ use crate::app::msg::Task;
 use crate::app::reduce::opening::load;
 use crate::app::reduce::{edit, edit_brdf, set_param};
 use crate::app::state::State;
+use crate::app::state::fitting::comparison::Comparison;
 use crate::app::state::fitting::settings::FitSettings;
 use crate::app::state::lesson::LessonAt;
 use crate::app::state::material::Origin;
@@ -89,7 +90,7 @@ fn perform_one(state: &mut State, set: Set) -> Vec<Task> {
         Set::Sample(_) => {}
         Set::Model(key) => {
             if let Some(model) = Model::by_key(key) {
-                edit_brdf(state, |brdf| brdf.model = model);
+                edit_brdf(state, |brdf| *brdf = brdf.with_model(model));
             }
         }
         Set::Fresnel(fresnel) => edit_brdf(state, |brdf| brdf.fresnel = fresnel),
@@ -112,6 +113,9 @@ fn perform_one(state: &mut State, set: Set) -> Vec<Task> {
         }),
         Set::View(settings) => edit(state, |scene| scene.views.set(settings())),
         Set::Tile(pane) => state.tiles.show(pane),
+        Set::Compare(models, fresnel) => {
+            state.prefs.comparison = Comparison::of(models, fresnel);
+        }
         Set::Stages(stages, from_sliders) => {
             state.fit.settings = FitSettings {
                 stages,

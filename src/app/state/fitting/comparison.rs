@@ -61,6 +61,14 @@ impl From<Comparison> for Keys {
 }
 
 impl Comparison {
+    /// Models with these keys and a Fresnel factor.
+    pub fn of(models: &[&str], fresnel: Fresnel) -> Self {
+        Self::from(Keys {
+            models: models.iter().map(|key| (*key).into()).collect(),
+            fresnel: vec![fresnel.key().into()],
+        })
+    }
+
     /// Variants in the order in which they are fitted: all models for one Fresnel factor after the other.
     pub fn variants(&self) -> Vec<Variant> {
         let of = |fresnel| {
