@@ -10,16 +10,20 @@ use grazing::app::command::Command;
 use grazing::app::msg::Msg;
 use grazing::app::msg::fit::FitMsg;
 use grazing::app::msg::library::{FolderMsg, LibraryMsg};
+use grazing::app::paper::figure::figure_of;
 use grazing::app::state::fitting::settings::FitSettings;
 use grazing::app::state::library::listing::{FileSort, SortKey};
 use grazing::app::state::library::{FileKind, Scan};
 use grazing::app::state::material::Presence;
+use grazing::app::state::prefs::MIB;
 use grazing::app::state::views::ViewId;
 use grazing::app::state::{State, memory};
 use grazing::app::views::scatter::settings::ScatterSettings;
-use grazing::brdf::Fresnel;
+use grazing::brdf::{Brdf, Fresnel, Model};
+use grazing::figure::ViewSpec;
+use grazing::figure::faults::Faults;
 use grazing::figure::palette::Role as ColorRole;
-use grazing::figure::scatter::{ScatterDot, ScatterPlot};
+use grazing::figure::scatter::{Quantity, ScatterDot, ScatterPlot};
 use grazing::files::fits::FitRecord;
 use grazing::fit::{Stage, StageSet};
 use std::fs;
@@ -225,7 +229,7 @@ fn tables_stay_within_the_limit_and_come_back_when_they_are_shown() {
         );
         settle(&mut window, |state| {
             let total = memory::total(state);
-            assert!(total <= u64::from(limit) * memory::MIB, "{total} bytes");
+            assert!(total <= u64::from(limit) * MIB, "{total} bytes");
             is_quiet(state)
         });
         assert_eq!(self::name(&window), name);
@@ -502,4 +506,86 @@ fn fitted_materials_are_dots_that_show_them() {
     drag(&mut window, &[at, at]);
     settle(&mut window, is_quiet);
     assert_eq!(name(&window), "b");
+}
+
+#[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
+fn materials_are_shown_by_the_model_and_the_axes_that_are_chosen() {
+    let folder = folder(&["a.binary", "b.binary"]);
+    let path = |name: &str| folder.path(name);
+    let fit = |name: &str, roughness: f64, error: f64| {
+        let mut brdf = Brdf::new(Model::by_key("ggx").expect("a model"), Fresnel::Exact);
+        brdf.params.lobe[0] = roughness;
+        record(name, Some(only_named(path(name))), brdf, error)
+    };
+    let fits = [fit("a.binary", 0.02, 0.3), fit("b.binary", 0.4, 0.05)];
+    write_fits(&path("fits.json"), &fits);
+    let mut window = window(&folder);
+    run(&mut window, Command::ToggleTile(ViewId::Scatter));
+    run(&mut window, Command::ToggleTile(ViewId::Scatter));
+    let can_draw = |window: &Window| window.state().state().can_draw(ViewId::Scatter);
+    assert!(
+        !can_draw(&window),
+        "nothing has a fit of the combined model"
+    );
+    let choose = |window: &mut Window, list: &str, choice: &str| {
+        window.get_by_role_and_label(Role::ComboBox, list).click();
+        window.run_steps(3);
+        // The list lies over everything: its choice is the last of this name.
+        let choices: Vec<_> = window.get_all_by_label(choice).collect();
+        choices.last().expect("a choice").click();
+        window.run_steps(3);
+    };
+    choose(&mut window, "Model of the fits", "GGX");
+    assert_eq!(settings::<ScatterSettings>(&window).model.key, "ggx");
+    assert!(can_draw(&window));
+    choose(&mut window, "Vertical axis", "E, error of the fit");
+    let view = settings::<ScatterSettings>(&window);
+    assert_eq!(view.y, Some(Quantity::Error));
+    assert_eq!(view.x, None);
+    // A dot is where its roughness and its E are: a click shows its material.
+    let rect = window.get_by_role_and_label(Role::Image, "Scatter").rect();
+    let dots = fits.each_ref().map(|fit| {
+        let [x, y] = view
+            .values(&fit.brdf, Some(fit.errors.total))
+            .expect("its model");
+        ScatterDot {
+            name: fit.material.clone(),
+            x,
+            y,
+            fill: ColorRole::Muted,
+            ring: None,
+            shown: false,
+        }
+    });
+    assert_eq!((dots[1].x, dots[1].y), (0.4, 5.0));
+    let plot = ScatterPlot::new(&dots, view, [rect.width(), rect.height()]);
+    let at = rect.min + egui::Vec2::from(plot.places[1].expect("a place"));
+    // The wheel enlarges both axes about the pointer.
+    window.hover_at(at);
+    window.run_steps(2);
+    wheel(&mut window, 120.0);
+    let zoomed = settings::<ScatterSettings>(&window);
+    assert!(zoomed.window.is_some() && zoomed.y_window.is_some());
+    let plot = ScatterPlot::new(&dots, zoomed, [rect.width(), rect.height()]);
+    let again = rect.min + egui::Vec2::from(plot.places[1].expect("a place"));
+    // The numbers beside the axis have another width now.
+    let [across, up] = [(again.x - at.x).abs(), (again.y - at.y).abs()];
+    assert!(across < 12.0 && up < 0.5, "{across} {up}");
+    drag(&mut window, &[again, again]);
+    settle(&mut window, is_quiet);
+    assert_eq!(name(&window), "b");
+    // On paper E goes with the subjects.
+    let state = window.state().state();
+    let figure = figure_of(state, &[ViewId::Scatter], 1, &state.prefs.figure.style);
+    let spec = figure.expect("can be drawn").spec;
+    let mut faults = Faults::default();
+    spec.clone().sanitize(&mut faults);
+    assert_eq!(faults.result(), Ok(()));
+    let ViewSpec::Scatter(on_paper) = &spec.rows[0].panels[0].view else {
+        panic!("{spec:?}")
+    };
+    let mut errors = on_paper.errors.clone();
+    errors.sort_by(f64::total_cmp);
+    assert_eq!(errors, [0.05, 0.3]);
 }

@@ -1,6 +1,7 @@
 //! The tiles and where they are.
 
 use crate::app::state::about::Home;
+use crate::app::state::layout_check::{checked, tree_id};
 use crate::app::state::views::{VIEWS, ViewId};
 use egui_tiles::{Container, Tile, Tree};
 use serde::{Deserialize, Serialize};
@@ -37,7 +38,7 @@ impl TryFrom<SavedTiles> for Tiles {
         if saved.version != VERSION {
             return Err(format!("layout version {}", saved.version));
         }
-        crate::app::state::layout_check::checked(&saved.tree).map(Self)
+        checked(&saved.tree).map(Self)
     }
 }
 
@@ -53,10 +54,6 @@ impl Default for Tiles {
         let root = tiles.insert_vertical_tile(groups.to_vec());
         Self(Tree::new(tree_id(), root, tiles))
     }
-}
-
-pub(crate) fn tree_id() -> egui::Id {
-    egui::Id::unique("tiles")
 }
 
 impl Tiles {

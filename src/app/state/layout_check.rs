@@ -1,6 +1,5 @@
 //! Whether a layout from a file is one: a tree, with each tile in it once.
 
-use crate::app::state::layout::tree_id;
 use crate::app::state::views::ViewId;
 use egui_tiles::{Container, GridLayout, Tile, Tree};
 use std::collections::BTreeSet;
@@ -55,6 +54,10 @@ fn has_shares(container: &Container) -> bool {
             columns(grid.layout) && shares.take(2 * MOST).all(fits)
         }
     }
+}
+
+pub(crate) fn tree_id() -> egui::Id {
+    egui::Id::unique("tiles")
 }
 
 #[cfg(test)]

@@ -5,9 +5,6 @@ use crate::app::state::material::{MaterialId, Presence};
 use crate::measured::{Grid, Table};
 use std::sync::Arc;
 
-/// Bytes of a MiB.
-pub const MIB: u64 = 1 << 20;
-
 /// A table in memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Held {

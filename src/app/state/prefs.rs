@@ -95,6 +95,9 @@ impl From<Zoom> for u32 {
     }
 }
 
+/// Bytes of a MiB.
+pub const MIB: u64 = 1 << 20;
+
 /// Limit of the memory for tables, in MiB.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct MemoryLimit(pub u32);
@@ -108,7 +111,7 @@ impl Default for MemoryLimit {
 impl MemoryLimit {
     /// Limit in bytes.
     pub fn bytes(self) -> u64 {
-        u64::from(self.0) * crate::app::state::memory::MIB
+        u64::from(self.0) * MIB
     }
 
     /// Limits that can be set.
