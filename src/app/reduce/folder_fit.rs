@@ -11,6 +11,7 @@ use crate::app::state::folder_fit::{blocked, measured, model};
 use crate::app::state::job::{CancelFlag, Hold};
 use crate::app::state::library::folder_run::FolderRun;
 use crate::app::state::notice::Severity;
+use crate::app::state::views::ViewId;
 use crate::files::fits::FitRecord;
 use crate::fit::{EndReason, Variant};
 use std::path::{Path, PathBuf};
@@ -53,6 +54,9 @@ pub(crate) fn start(state: &mut State, compare: bool) -> Vec<Task> {
         hold: run.hold.clone(),
     }));
     state.library.run = Some(run);
+    if compare {
+        state.tiles.show(ViewId::Ranking);
+    }
     vec![Task::Library(task)]
 }
 

@@ -26,14 +26,16 @@ pub(super) struct PlotLayout {
     pub name_y: f32,
 }
 
-/// Names below an axis, upright.
+/// Names below an axis: upright where they are too long to lie beside each other.
 pub(super) struct NamesBelow {
     /// Names, from left to right.
     pub names: Vec<RichText>,
     /// Size of the letters in points.
     pub size: f32,
-    /// Length in points of the longest.
-    pub length: f32,
+    /// Height in points of all: the length of the longest where they are upright.
+    pub height: f32,
+    /// Whether they read upwards.
+    pub upright: bool,
 }
 
 /// A panel's place.
@@ -59,6 +61,8 @@ const SMALLEST_NAMES: f32 = 5.0;
 /// The largest share of the height that names below take, and of the distance between two that letters do.
 const NAMES_SHARE: f32 = 0.3;
 const NAMES_FILL: f32 = 0.85;
+/// Least room in units of the font size between two names that lie.
+const NAMES_APART: f32 = 1.0;
 /// The largest share of the height that names in the legend take before they are cut shorter.
 const LEGEND_SHARE: f32 = 0.3;
 
@@ -76,7 +80,7 @@ impl PlotLayout {
         let below = if height >= ROOMY { 1.0 } else { 0.0 };
         let x_names = names_below(outline, font, [width, height]);
         // The names stand where the line of numbers would.
-        let names = x_names.as_ref().map_or(0.0, |below| below.length - line);
+        let names = x_names.as_ref().map_or(0.0, |below| below.height - line);
         let bottom =
             height - 0.4 * pad - line * (1.0 + LINE_STEP * below) - BELOW_GAP_EM * font - names;
         let titles = outline.panels.iter().skip(1).map(|panel| {
@@ -139,10 +143,16 @@ fn names_below(outline: &Outline, font: f32, [width, height]: [f32; 2]) -> Optio
     let names = outline.x_names.iter().map(|name| elided(name, most));
     let names: Vec<RichText> = names.collect();
     let longest = names.iter().map(RichText::width_em).fold(0.0, f32::max);
+    let upright = size * (longest + NAMES_APART) > apart;
     Some(NamesBelow {
         names,
         size,
-        length: size * longest,
+        height: if upright {
+            size * longest
+        } else {
+            LINE_HEIGHT * font
+        },
+        upright,
     })
 }
 

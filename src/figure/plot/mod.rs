@@ -13,7 +13,7 @@ pub use frame::PlotFrame;
 pub use marks::PlotDot;
 pub use outline::{Outline, Panel, Pen};
 
-use super::drawing::{Anchor, Drawing, Item, Point};
+use super::drawing::{Anchor, Drawing, Item, Label, Point};
 use super::legend::{self, LegendEntry};
 use super::palette::{Ink, Role};
 use super::polyline;
@@ -160,11 +160,19 @@ impl Plot {
                 let x = frame.x.share((k + 1) as f64);
                 if (0.0..=1.0).contains(&x) {
                     let at = [left + width * x as f32, bottom + gap];
-                    let mut label =
-                        self.canvas
-                            .label(name.clone(), at, Anchor::RIGHT, Role::Foreground);
-                    label.size = below.size;
-                    label.angle = -std::f32::consts::FRAC_PI_2;
+                    let (anchor, angle) = if below.upright {
+                        (Anchor::RIGHT, -std::f32::consts::FRAC_PI_2)
+                    } else {
+                        (Anchor::TOP, 0.0)
+                    };
+                    let label = self
+                        .canvas
+                        .label(name.clone(), at, anchor, Role::Foreground);
+                    let label = Label {
+                        size: below.size,
+                        angle,
+                        ..label
+                    };
                     self.canvas.drawing.items.push(Item::Text(label));
                 }
             }

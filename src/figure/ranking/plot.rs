@@ -259,6 +259,13 @@ mod tests {
         ] {
             assert!(words.contains(&word.into()), "{words:?}");
         }
+        let turned = |materials: usize| {
+            let plot = RankingPlot::new(&spec(materials), [600.0, 400.0]);
+            let mut labels = plot.drawing.labels();
+            let name = labels.find(|label| label.text.plain() == "material 1");
+            name.expect("a name").angle != 0.0
+        };
+        assert!(!turned(4) && turned(30));
         let words = texts(&RankingPlot::new(&spec(300), [600.0, 400.0]));
         assert!(!words.iter().any(|word| word.starts_with("material ")));
         assert!(words.contains(&"200".into()), "{words:?}");
