@@ -178,7 +178,7 @@ fn several_models_are_in_one_figure_where_that_makes_sense() {
             "--preset scatter --model phong",
             "the preset scatter shows the combined model only",
         ),
-        ("--preset lobes --model fong", "there is no model `fong`"),
+        ("--preset lobes --model fong", "there is no model \"fong\""),
     ] {
         let result = figure(&fits, &folder.path("refused.svg"), options);
         assert_eq!(result.status.code(), Some(2), "{}", stderr(&result));
