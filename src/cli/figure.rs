@@ -3,7 +3,8 @@
 mod materials;
 
 use super::CliError;
-use crate::brdf::{Fresnel, MODELS, Model, PHONG, fresnel::FRESNELS};
+use super::models::{self, Models};
+use crate::brdf::{Fresnel, fresnel::FRESNELS};
 use crate::export::fonts::lacking_text;
 use crate::export::preset::{PRESETS, Preset, PresetOptions};
 use crate::export::{
@@ -24,9 +25,11 @@ use std::path::{Path, PathBuf};
 const EXAMPLES: &str = "\
 Examples:
   grazing figure --preset poster teflon.binary nickel.binary -o results.pdf
-          Spheres and polar lobes, measured and as all three models, which are fitted first
+          Spheres and polar lobes, measured and as the Phong family, which is fitted first
   grazing figure --preset lobes fits.json --theta-i 30,60,80 -o lobes.svg
           The materials of a fit file with their fits
+  grazing figure --preset lobes fits.json --model combined,ggx,ward -o three.pdf
+          Three models over the data of each material
   grazing figure --preset lobes -o lobes.pdf
           The synthetic materials, without any file
   grazing figure results.figure.json -o results.pdf
@@ -54,9 +57,9 @@ pub struct Args {
     /// Which figure to make from the files
     #[arg(long, value_name = "NAME", value_parser = presets())]
     preset: Option<String>,
-    /// Which model presets show that show one
-    #[arg(long, default_value = "combined", value_parser = PossibleValuesParser::new(MODELS.iter().map(|m| m.key)), requires = "preset")]
-    model: String,
+    /// Which models the preset shows
+    #[arg(long, value_name = "KEY,…", value_parser = models::parse, help = models_help(), requires = "preset")]
+    model: Option<Models>,
     /// The Fresnel factor of the models
     #[arg(long, default_value = "exact", value_parser = PossibleValuesParser::new(FRESNELS.map(Fresnel::key)), requires = "preset")]
     fresnel: String,
@@ -139,6 +142,13 @@ impl LookArgs {
         let asked = |axes: &SameAxes| Some(axes.key()) == self.same_axes.as_deref();
         style.same_axes = SAME_AXES.into_iter().find(asked).unwrap_or(style.same_axes);
     }
+}
+
+fn models_help() -> String {
+    format!(
+        "{}; where not given the Phong family in a poster and a ranking, the combined model in the others",
+        models::help()
+    )
 }
 
 fn presets() -> PossibleValuesParser {
@@ -304,9 +314,9 @@ fn preset(
     }
     let preset = Preset::by_key(key).unwrap_or(&PRESETS[0]);
     args.check_pixels(outputs, preset.width_mm, Style::default().dpi)?;
-    let model = Model::by_key(&args.model);
+    let models = args.model.iter().flat_map(|models| &models.0);
     let options = PresetOptions {
-        model: model.unwrap_or(&PHONG),
+        models: models.copied().collect(),
         fresnel: Fresnel::by_key(&args.fresnel).unwrap_or(Fresnel::Exact),
         theta_i: args.theta_i.clone(),
         scale: args.scale.as_deref().and_then(RadialScale::by_key),
@@ -320,6 +330,7 @@ fn preset(
             ..Style::default()
         },
     };
+    preset.check(&options).or_else(usage)?;
     let materials = materials::of_files(&args.files, &preset.variants(&options), opened)?;
     Ok(preset.figure(&materials, &options))
 }

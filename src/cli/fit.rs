@@ -5,13 +5,13 @@ pub(super) mod progress;
 
 use super::CliError;
 use super::info::{ModelRow, write_models};
+use super::models::{self, ALL, Models};
 use crate::brdf::fresnel::FRESNELS;
 use crate::brdf::{Fresnel, Model, ParamId, all_params};
 use crate::files::fits::{FitRecord, write_csv, write_json};
 use crate::files::{self, FileError, write_atomically};
 use crate::fit::{FitOptions, Partial, Problem, StageSet, Variant, WEIGHTS, Weight, fit_all};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser as _};
-use parse::Models;
 use progress::Bar;
 use std::io::{self, IsTerminal as _, Write};
 use std::num::NonZero;
@@ -49,7 +49,7 @@ pub struct Args {
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Which models, with commas between them; all and phong-family stand for several
-    #[arg(long, default_value = "combined", value_name = "KEY,…", value_parser = parse::models, help = parse::models_help())]
+    #[arg(long, default_value = "combined", value_name = "KEY,…", value_parser = models::parse, help = models::help())]
     model: Models,
     /// Which Fresnel reflectance multiplies the specular term; all fits with each
     #[arg(long, default_value = "exact", value_parser = keys(FRESNELS.map(Fresnel::key)))]
@@ -91,8 +91,6 @@ pub struct Args {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 }
-
-const ALL: &str = "all";
 
 fn keys(keys: impl IntoIterator<Item = &'static str>) -> PossibleValuesParser {
     PossibleValuesParser::new(keys.into_iter().chain([ALL]))

@@ -8,6 +8,7 @@ mod export;
 mod figure;
 mod fit;
 mod info;
+mod models;
 mod render;
 mod sample;
 mod table;

@@ -3,7 +3,7 @@
 mod builder;
 
 use super::spec::{FigureSpec, SubjectSource};
-use crate::brdf::{Brdf, Fresnel, Model, PHONG_FAMILY};
+use crate::brdf::{Brdf, COMBINED, Fresnel, Model, PHONG_FAMILY};
 use crate::figure::ViewSpec;
 use crate::figure::albedo::AlbedoSpec;
 use crate::figure::disc::DiscSpec;
@@ -27,8 +27,8 @@ pub struct Preset {
     pub key: &'static str,
     /// One sentence.
     pub help: &'static str,
-    /// Whether it shows all three models instead of the chosen one.
-    pub all_models: bool,
+    /// Models that it can show.
+    pub models: PresetModels,
     /// Whether a model is named after its material.
     by_material: bool,
     /// Width of the page in millimetres.
@@ -38,12 +38,25 @@ pub struct Preset {
     rows: fn(&Builder) -> Vec<RowSpec>,
 }
 
+/// Models that a preset can show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PresetModels {
+    /// One; the combined model where none is chosen.
+    One,
+    /// One or several over each other; the combined model where none is chosen.
+    Several,
+    /// As many as there are; the Phong family where none is chosen.
+    Family,
+    /// The combined model, whose parameters it shows.
+    Combined,
+}
+
 /// Presets in the order offered.
 pub static PRESETS: [Preset; 11] = [
     Preset {
         key: "poster",
-        help: "Each material measured and as all three models: spheres under a glancing and a grazing light, and below them the lobes at each angle of incidence over each other",
-        all_models: true,
+        help: "Each material measured and as several models, the Phong family where none is chosen: spheres under a glancing and a grazing light, and below them the lobes at each angle of incidence over each other",
+        models: PresetModels::Family,
         by_material: false,
         width_mm: COLUMNS[1].1,
         // One angle's peak would make blobs of the others.
@@ -53,7 +66,7 @@ pub static PRESETS: [Preset; 11] = [
     Preset {
         key: "sphere",
         help: "Each material on a sphere that is split between data and model",
-        all_models: false,
+        models: PresetModels::One,
         by_material: false,
         width_mm: COLUMNS[0].1,
         same_axes: SameAxes::Figure,
@@ -69,8 +82,8 @@ pub static PRESETS: [Preset; 11] = [
     },
     Preset {
         key: "lobes",
-        help: "Polar lobes in the plane of incidence, data and model",
-        all_models: false,
+        help: "Polar lobes in the plane of incidence, data and models",
+        models: PresetModels::Several,
         by_material: false,
         width_mm: COLUMNS[0].1,
         same_axes: SameAxes::Figure,
@@ -79,7 +92,7 @@ pub static PRESETS: [Preset; 11] = [
     Preset {
         key: "slices",
         help: "f_r over the view angle in the plane of incidence, with model / measured below",
-        all_models: false,
+        models: PresetModels::Several,
         by_material: false,
         width_mm: COLUMNS[0].1,
         same_axes: SameAxes::Figure,
@@ -98,7 +111,7 @@ pub static PRESETS: [Preset; 11] = [
     Preset {
         key: "image-slice",
         help: "f_r over half and difference angle: data, model, and model − measured",
-        all_models: false,
+        models: PresetModels::One,
         by_material: false,
         width_mm: COLUMNS[1].1,
         same_axes: SameAxes::Row,
@@ -117,8 +130,8 @@ pub static PRESETS: [Preset; 11] = [
     },
     Preset {
         key: "albedo",
-        help: "Directional albedo over the angle of incidence, data and model",
-        all_models: false,
+        help: "Directional albedo over the angle of incidence, data and models",
+        models: PresetModels::Several,
         by_material: false,
         width_mm: COLUMNS[0].1,
         same_axes: SameAxes::Figure,
@@ -127,7 +140,7 @@ pub static PRESETS: [Preset; 11] = [
     Preset {
         key: "lobe3d",
         help: "The lobe over all view directions, data as a solid and model as wire",
-        all_models: false,
+        models: PresetModels::One,
         by_material: false,
         width_mm: COLUMNS[0].1,
         same_axes: SameAxes::Figure,
@@ -144,7 +157,7 @@ pub static PRESETS: [Preset; 11] = [
     Preset {
         key: "disc",
         help: "f_r over all view directions under one light, seen from above: data, model, and model / measured",
-        all_models: false,
+        models: PresetModels::One,
         by_material: false,
         width_mm: COLUMNS[1].1,
         same_axes: SameAxes::Row,
@@ -162,7 +175,7 @@ pub static PRESETS: [Preset; 11] = [
     Preset {
         key: "error-map",
         help: "Where the error of the model comes from, over the angles of light and view",
-        all_models: false,
+        models: PresetModels::One,
         by_material: false,
         width_mm: COLUMNS[0].1,
         same_axes: SameAxes::Figure,
@@ -171,7 +184,7 @@ pub static PRESETS: [Preset; 11] = [
     Preset {
         key: "landscape",
         help: "The best error of the combined model over s and α",
-        all_models: false,
+        models: PresetModels::Combined,
         by_material: false,
         width_mm: COLUMNS[0].1,
         same_axes: SameAxes::Figure,
@@ -190,7 +203,7 @@ pub static PRESETS: [Preset; 11] = [
     Preset {
         key: "scatter",
         help: "Materials by the parameters of a model; of the combined one by α and s: which are Phong-like, which Blinn-Phong-like",
-        all_models: false,
+        models: PresetModels::One,
         by_material: true,
         width_mm: COLUMNS[0].1,
         same_axes: SameAxes::Figure,
@@ -201,8 +214,8 @@ pub static PRESETS: [Preset; 11] = [
 /// Options that a preset is built with.
 #[derive(Clone, Debug)]
 pub struct PresetOptions {
-    /// The model of presets that show one.
-    pub model: &'static Model,
+    /// The models that are asked for; none where the preset is to choose.
+    pub models: Vec<&'static Model>,
     /// The Fresnel factor of all models.
     pub fresnel: Fresnel,
     /// Angles of incidence in radians.
@@ -232,15 +245,47 @@ impl Preset {
         PRESETS.iter().find(|preset| preset.key == key)
     }
 
+    /// The models that it shows.
+    pub fn models(&self, options: &PresetOptions) -> Vec<&'static Model> {
+        match (self.models, &options.models[..]) {
+            (PresetModels::Combined, _) => vec![crate::fit::landscape::model()],
+            (PresetModels::Family, []) => PHONG_FAMILY.to_vec(),
+            (_, []) => vec![&COMBINED],
+            (_, models) => models.to_vec(),
+        }
+    }
+
+    /// Models that are asked for are shown.
+    ///
+    /// # Errors
+    /// One sentence where they are more than it can show, or others.
+    pub fn check(&self, options: &PresetOptions) -> Result<(), String> {
+        let count = options.models.len();
+        let key = self.key;
+        match self.models {
+            PresetModels::One if count > 1 => Err(format!(
+                "--model names {count} models; the preset {key} shows one: name one of them"
+            )),
+            PresetModels::Combined if !options.models.iter().all(|m| *m == &COMBINED) => {
+                Err(format!(
+                    "the preset {key} shows the combined model only; expected --model {} or none",
+                    COMBINED.key
+                ))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// The models that each material needs, in this order.
     pub fn variants(&self, options: &PresetOptions) -> Vec<Variant> {
         let fresnel = options.fresnel;
-        let of = |model: &'static Model| Variant { model, fresnel };
-        match (self.all_models, self.key) {
-            (true, _) => PHONG_FAMILY.iter().copied().map(of).collect(),
-            (_, "landscape") => vec![of(crate::fit::landscape::model())],
-            _ => vec![of(options.model)],
-        }
+        let models = self.models(options).into_iter();
+        models.map(|model| Variant { model, fresnel }).collect()
+    }
+
+    /// Whether models, and not materials, have colours of their own.
+    fn tells_models_apart(&self, options: &PresetOptions) -> bool {
+        self.models == PresetModels::Family || self.models(options).len() > 1
     }
 
     /// The figure of some materials.

@@ -1,12 +1,13 @@
-use super::preset::{PRESETS, Preset, PresetMaterial, PresetOptions};
+use super::preset::{PRESETS, Preset, PresetMaterial, PresetModels, PresetOptions};
 use super::{
-    FigureFormat, FigureSpec, OpenedTables, Prepared, SubjectSource, open_from_files, prepare,
-    spec_beside,
+    FigureFormat, FigureSpec, OpenedTables, Prepared, SubjectSource, SubjectSpec, open_from_files,
+    prepare, spec_beside,
 };
-use crate::brdf::{COMBINED, Fresnel};
+use crate::brdf::{COMBINED, Fresnel, MODELS, Model, PHONG_FAMILY};
 use crate::figure::ViewSpec;
+use crate::figure::faults::Faults;
 use crate::figure::lobes::LobeScale;
-use crate::figure::page::Style;
+use crate::figure::page::{RowSpec, Style};
 use crate::figure::scale::RadialScale;
 use crate::figure::sphere_image::SphereShow;
 use crate::geom::sphere::SphereView;
@@ -16,7 +17,7 @@ use std::path::Path;
 
 fn options() -> PresetOptions {
     PresetOptions {
-        model: &COMBINED,
+        models: Vec::new(),
         fresnel: Fresnel::Exact,
         theta_i: vec![0.5, 1.0],
         scale: None,
@@ -30,6 +31,10 @@ fn options() -> PresetOptions {
 }
 
 fn materials(preset: &Preset, names: &[&str]) -> Vec<PresetMaterial> {
+    materials_as(preset, names, &options())
+}
+
+fn materials_as(preset: &Preset, names: &[&str], options: &PresetOptions) -> Vec<PresetMaterial> {
     let model = |variant: crate::fit::Variant| variant.defaults();
     let material = |name: &&str| PresetMaterial {
         name: (*name).into(),
@@ -37,7 +42,7 @@ fn materials(preset: &Preset, names: &[&str]) -> Vec<PresetMaterial> {
             key: "violet-felt".into(),
             lookup: Lookup::Nearest,
         },
-        models: preset.variants(&options()).into_iter().map(model).collect(),
+        models: preset.variants(options).into_iter().map(model).collect(),
     };
     names.iter().map(material).collect()
 }
@@ -95,6 +100,85 @@ fn the_poster_has_a_sphere_and_lobes_of_everything() {
                 .iter()
                 .all(|panel| panel.subjects[0] == data)
         );
+    }
+}
+
+#[test]
+fn spheres_of_many_models_wrap_in_even_rows_of_one_size() {
+    let preset = Preset::by_key("poster").expect("a preset");
+    for (models, rows) in [
+        (1, vec![2]),
+        (2, vec![3]),
+        (5, vec![6]),
+        (6, vec![4, 3]),
+        (12, vec![5, 5, 3]),
+    ] {
+        let options = PresetOptions {
+            models: MODELS[..models].to_vec(),
+            ..options()
+        };
+        let spec = preset.figure(&materials_as(preset, &["a", "b"], &options), &options);
+        let (spheres, lobes): (Vec<_>, Vec<_>) = spec
+            .rows
+            .iter()
+            .partition(|row| matches!(row.panels[0].view, ViewSpec::Sphere(_)));
+        let counts: Vec<usize> = spheres.iter().map(|row| row.panels.len()).collect();
+        assert_eq!(counts, [&rows[..], &rows[..]].concat());
+        assert_eq!(lobes.len(), 2);
+        assert_eq!(lobes[1].panels[0].subjects.len(), 1 + models);
+        let high = spheres[0].height_mm;
+        assert!(spheres.iter().all(|row| row.height_mm == high));
+        assert_eq!(high.is_some(), rows.len() > 1);
+        // Each has its name where it is not under another row of the same.
+        let named = |row: &&&RowSpec| row.panels.iter().all(|panel| panel.heading.is_some());
+        let named = spheres.iter().filter(named).count();
+        assert_eq!(named, if rows.len() > 1 { spheres.len() } else { 1 });
+        let mut faults = Faults::default();
+        spec.clone().sanitize(&mut faults);
+        assert_eq!(faults.result(), Ok(()));
+    }
+}
+
+#[test]
+fn several_models_are_shown_where_it_makes_sense_and_refused_where_not() {
+    for preset in &PRESETS {
+        let asked = |models: &[&'static Model]| PresetOptions {
+            models: models.to_vec(),
+            ..options()
+        };
+        let (none, one, two) = (asked(&[]), asked(&MODELS[..1]), asked(&MODELS[..2]));
+        assert_eq!(preset.check(&none), Ok(()));
+        let shown = preset.models(&none);
+        let several = match preset.models {
+            PresetModels::Family => {
+                assert_eq!(shown, PHONG_FAMILY);
+                true
+            }
+            PresetModels::Several => true,
+            PresetModels::One | PresetModels::Combined => false,
+        };
+        assert!(several == (shown.len() > 1) || shown == [&COMBINED]);
+        assert_eq!(preset.check(&two).is_ok(), several, "{}", preset.key);
+        let combined = preset.models == PresetModels::Combined;
+        assert_eq!(preset.check(&one).is_err(), combined, "{}", preset.key);
+        assert_eq!(preset.check(&asked(&[&COMBINED])), Ok(()));
+        if several {
+            assert_eq!(preset.models(&two), &MODELS[..2]);
+        }
+    }
+    // Over one material each model has a line of its own; the data are the first colour.
+    let lobes = Preset::by_key("lobes").expect("a preset");
+    let options = PresetOptions {
+        models: MODELS.to_vec(),
+        ..options()
+    };
+    let spec = lobes.figure(&materials_as(lobes, &["a", "b"], &options), &options);
+    let of_first = &spec.subjects[..=MODELS.len()];
+    assert_eq!((of_first[0].series, &*of_first[0].label), (0, "measured"));
+    for (k, subject) in of_first.iter().enumerate() {
+        let same =
+            |other: &&SubjectSpec| (other.series, other.look) == (subject.series, subject.look);
+        assert_eq!(of_first.iter().position(|other| same(&other)), Some(k));
     }
 }
 

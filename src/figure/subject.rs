@@ -1,6 +1,6 @@
 //! Subjects of a plot, whose f_r it shows, and their look: measurements, models and fits.
 
-use crate::brdf::Brdf;
+use crate::brdf::{Brdf, Model};
 use crate::geom::{Rgb, color::luminance};
 use crate::keys;
 use crate::measured::Table;
@@ -145,6 +145,23 @@ impl Look {
     }
 }
 
+/// Hues that differ clearly from each other and from the first, which is that of the data.
+const HUES: [usize; 4] = [1, 2, 3, 4];
+/// Dashes that models of one hue are told apart by.
+const DASHES: [Look; 3] = [
+    Look::Model,
+    Look::Beside { long: false },
+    Look::Beside { long: true },
+];
+
+/// The colour and the look of a model's curve where several models are over one material, whose series is 0: no two models
+/// have the same of both.
+pub fn model_line(model: &Model) -> (usize, Look) {
+    let index = model.index();
+    let dash = DASHES[index / HUES.len() % DASHES.len()];
+    (HUES[index % HUES.len()], dash)
+}
+
 /// A BRDF to plot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Subject {
@@ -159,4 +176,34 @@ pub struct Subject {
     pub hidden: bool,
     /// Source of the values.
     pub source: Source,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::brdf::{MODELS, PHONG_FAMILY};
+    use crate::figure::palette::SERIES_COLORS;
+
+    /// Pairs of lines that look the same.
+    fn alike(lines: &[(usize, Look)]) -> usize {
+        let seen = |(series, look): &(usize, Look)| (series % SERIES_COLORS, *look);
+        let pairs = lines.iter().enumerate();
+        pairs
+            .map(|(k, line)| lines[..k].iter().filter(|other| seen(other) == seen(line)))
+            .map(Iterator::count)
+            .sum()
+    }
+
+    #[test]
+    fn lines_of_all_models_and_of_the_data_can_be_told_apart() {
+        let mut lines: Vec<_> = MODELS.iter().map(|model| model_line(model)).collect();
+        lines.push((0, Look::Measured));
+        assert_eq!(alike(&lines), 0);
+        // Planted: colours alone come again.
+        let colors: Vec<_> = (0..MODELS.len()).map(|k| (1 + k, Look::Model)).collect();
+        assert!(alike(&colors) > 0);
+        // As every poster has had them.
+        let family = PHONG_FAMILY.iter().map(|model| model_line(model));
+        assert!(family.eq((1..=3).map(|series| (series, Look::Model))));
+    }
 }

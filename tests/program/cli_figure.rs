@@ -176,6 +176,40 @@ fn a_figure_is_drawn_again_byte_by_byte_from_its_spec() {
     }
 }
 
+#[test]
+fn several_models_are_in_one_figure_where_that_makes_sense() {
+    let folder = Folder::new();
+    let (_, fits) = material(&folder);
+    let svg = folder.path("lobes.svg");
+    let two = "--preset lobes --model combined,phong --force";
+    succeeded(&figure(&fits, &svg, two));
+    let spec = fs::read_to_string(folder.path("lobes.figure.json")).expect("a spec");
+    let spec: Value = serde_json::from_str(&spec).expect("JSON");
+    let subjects = spec["subjects"].as_array().expect("subjects");
+    let labels: Vec<&str> = subjects
+        .iter()
+        .filter_map(|s| s["label"].as_str())
+        .collect();
+    assert_eq!(labels, ["lacquer", "Phong", "Combined"]);
+    assert_ne!(subjects[1]["series"], subjects[2]["series"]);
+    for (options, said) in [
+        (
+            "--preset sphere --model phong-family",
+            "--model names 3 models; the preset sphere shows one",
+        ),
+        (
+            "--preset scatter --model phong",
+            "the preset scatter shows the combined model only",
+        ),
+        ("--preset lobes --model fong", "there is no model \"fong\""),
+    ] {
+        let result = figure(&fits, &folder.path("refused.svg"), options);
+        assert_eq!(result.status.code(), Some(2), "{}", stderr(&result));
+        assert!(stderr(&result).contains(said), "{}", stderr(&result));
+        assert!(!folder.path("refused.svg").exists());
+    }
+}
+
 /// The corners of the paths of an SVG with a stroke of a colour, longest first, in points.
 fn curves(svg: &str, color: [u8; 3]) -> Vec<Vec<[f32; 2]>> {
     fn walk(group: &usvg::Group, color: [u8; 3], out: &mut Vec<Vec<[f32; 2]>>) {

@@ -1,6 +1,6 @@
 //! The values of the options of `grazing fit`: each function says in one line what is wrong and what was expected.
 
-use crate::brdf::{MODELS, Model, PHONG_FAMILY, Param, ParamId, all_params};
+use crate::brdf::{Param, ParamId, all_params};
 use crate::fit::{Partial, Stage, StageSet};
 use crate::keys;
 use crate::quote::{quoted, shown};
@@ -15,46 +15,6 @@ pub fn limit(text: &str) -> Result<f64, String> {
         }
         _ => Err("not a number; expected degrees, more than 0 and at most 90".into()),
     }
-}
-
-/// Models that are fitted.
-#[derive(Clone, Debug)]
-pub struct Models(pub Vec<&'static Model>);
-
-const ALL: &str = "all";
-const FAMILY: &str = "phong-family";
-
-/// Help of the option that takes [`models`].
-pub fn models_help() -> String {
-    let keys: Vec<&str> = MODELS.iter().map(|model| model.key).collect();
-    format!(
-        "Which models, with commas between them: {}; {ALL} is each of them, {FAMILY} the first three",
-        keys.join(", ")
-    )
-}
-
-/// Keys of models with commas between them, each once, in the order of [`MODELS`].
-pub fn models(text: &str) -> Result<Models, String> {
-    let mut chosen: Vec<&'static Model> = Vec::new();
-    for key in text.split(',').map(str::trim) {
-        match (key, Model::by_key(key)) {
-            (ALL, _) => chosen.extend(MODELS),
-            (FAMILY, _) => chosen.extend(PHONG_FAMILY),
-            (_, Some(model)) => chosen.push(model),
-            (_, None) => {
-                let known = || MODELS.iter().map(|model| model.key).chain([ALL, FAMILY]);
-                let all = known().collect::<Vec<_>>().join(", ");
-                return Err(format!(
-                    "there is no model {}; expected one of {all}{}",
-                    quoted(key),
-                    keys::did_you_mean(key, known())
-                ));
-            }
-        }
-    }
-    chosen.sort_by_key(|model| model.index());
-    chosen.dedup();
-    Ok(Models(chosen))
 }
 
 /// Numbers of stages with commas between them.

@@ -2,13 +2,17 @@
 
 use super::{Preset, PresetMaterial, PresetOptions};
 use crate::brdf::{Fresnel, ParamId};
-use crate::export::spec::{SubjectLook, SubjectSource, SubjectSpec};
+use crate::export::spec::{SubjectSource, SubjectSpec};
 use crate::figure::ViewSpec;
 use crate::figure::lobes::{LobeScale, LobeSpec};
 use crate::figure::page::{PanelSpec, RowSpec};
 use crate::figure::scatter::{Quantity, ScatterSpec};
 use crate::figure::shown::Shown;
 use crate::figure::sphere_image::{SphereShow, SphereSpec};
+use crate::figure::subject::{Look, model_line};
+
+/// Most spheres in a row of the poster: more would be too small to tell apart.
+const MOST_SPHERES: usize = 6;
 
 /// A preset with what it is made for.
 pub(super) struct Builder<'a> {
@@ -20,13 +24,14 @@ pub(super) struct Builder<'a> {
 impl Builder<'_> {
     /// Subjects: each material's data, then its models.
     pub fn subjects(&self) -> Vec<SubjectSpec> {
-        let (all_models, alone) = (self.preset.all_models, self.materials.len() == 1);
+        let by_model = self.preset.tells_models_apart(self.options);
+        let alone = self.materials.len() == 1;
         let mut subjects = Vec::new();
         for (index, material) in self.materials.iter().enumerate() {
             // Where each panel has one material, all have the same colours and one legend.
-            let series = if all_models { 0 } else { index };
+            let series = if by_model { 0 } else { index };
             subjects.push(SubjectSpec {
-                label: if all_models && !alone {
+                label: if by_model && !alone {
                     "measured".into()
                 } else {
                     material.name.clone()
@@ -37,20 +42,22 @@ impl Builder<'_> {
             });
             for brdf in &material.models {
                 let model = brdf.model.name;
+                let (own, look) = model_line(brdf.model);
+                let (series, look) = if by_model {
+                    (own, look)
+                } else {
+                    (series, Look::Model)
+                };
                 subjects.push(SubjectSpec {
                     label: if self.preset.by_material {
                         material.name.clone()
-                    } else if all_models || alone {
+                    } else if by_model || alone {
                         model.into()
                     } else {
                         format!("{}, {model}", material.name)
                     },
-                    look: Some(SubjectLook::Model),
-                    series: if all_models {
-                        1 + brdf.model.index()
-                    } else {
-                        series
-                    },
+                    look: Some(look.into()),
+                    series,
                     source: SubjectSource::Model(*brdf),
                 });
             }
@@ -100,10 +107,15 @@ impl Builder<'_> {
     /// lobes, a plot for each angle of incidence.
     pub fn poster(&self) -> Vec<RowSpec> {
         let mut rows = Vec::new();
+        let spheres = 1 + self.preset.models(self.options).len();
+        // Rows as even as can be, of spheres of one size.
+        let columns = spheres.div_ceil(spheres.div_ceil(MOST_SPHERES));
+        let wrapped = spheres > columns;
+        let height_mm = wrapped.then(|| self.options.style.width_mm / (columns as f64 + 0.5));
         for (index, material) in self.materials.iter().enumerate() {
             let data = self.first(index);
             let sphere = |show, subject: usize, heading: &str| PanelSpec {
-                heading: (index == 0).then(|| heading.to_string()),
+                heading: (index == 0 || wrapped).then(|| heading.to_string()),
                 subjects: vec![subject],
                 view: ViewSpec::Sphere(SphereSpec {
                     view: self.options.view.clone(),
@@ -127,11 +139,13 @@ impl Builder<'_> {
             for (k, brdf) in material.models.iter().enumerate() {
                 spheres.push(sphere(SphereShow::Model, data + 1 + k, brdf.model.name));
             }
-            rows.push(RowSpec {
-                name: Some(material.name.clone()),
-                panels: spheres,
-                ..RowSpec::default()
-            });
+            for (k, spheres) in spheres.chunks(columns).enumerate() {
+                rows.push(RowSpec {
+                    name: (k == 0).then(|| material.name.clone()),
+                    height_mm,
+                    panels: spheres.to_vec(),
+                });
+            }
             rows.push(RowSpec {
                 panels: plots,
                 ..RowSpec::default()
@@ -168,8 +182,9 @@ impl Builder<'_> {
     }
 
     pub fn scatter(&self) -> Vec<RowSpec> {
+        let model = self.preset.models(self.options).first().copied();
         let mut spec = ScatterSpec {
-            model: self.options.model,
+            model: model.unwrap_or(ScatterSpec::default().model),
             ..ScatterSpec::default()
         };
         // Without a Fresnel factor η says nothing.
