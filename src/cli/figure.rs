@@ -19,6 +19,7 @@ use crate::files::{self, FileError};
 use crate::geom::sphere::SphereView;
 use crate::quote;
 use clap::builder::{PossibleValue, PossibleValuesParser};
+use materials::Needs;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
@@ -331,7 +332,11 @@ fn preset(
         },
     };
     preset.check(&options).or_else(usage)?;
-    let materials = materials::of_files(&args.files, &preset.variants(&options), opened)?;
+    let needs = Needs {
+        variants: &preset.variants(&options),
+        errors: preset.shows_errors,
+    };
+    let materials = materials::of_files(&args.files, &needs, opened)?;
     Ok(preset.figure(&materials, &options))
 }
 

@@ -16,7 +16,7 @@ use crate::figure::scale::RadialScale;
 use crate::figure::shown::Shown;
 use crate::figure::slices::{Residual, SliceSpec};
 use crate::figure::sphere_image::{SphereShow, SphereSpec};
-use crate::fit::Variant;
+use crate::fit::{Errors, Variant};
 use crate::geom::sphere::SphereView;
 use builder::Builder;
 
@@ -31,6 +31,8 @@ pub struct Preset {
     pub models: PresetModels,
     /// Whether a model is named after its material.
     by_material: bool,
+    /// Whether it shows the errors of the models, and no data.
+    pub shows_errors: bool,
     /// Width of the page in millimetres.
     pub width_mm: f64,
     /// Group of panels that have the same axis.
@@ -52,12 +54,13 @@ pub enum PresetModels {
 }
 
 /// Presets in the order offered.
-pub static PRESETS: [Preset; 11] = [
+pub static PRESETS: [Preset; 12] = [
     Preset {
         key: "poster",
         help: "Each material measured and as several models, the Phong family where none is chosen: spheres under a glancing and a grazing light, and below them the lobes at each angle of incidence over each other",
         models: PresetModels::Family,
         by_material: false,
+        shows_errors: false,
         width_mm: COLUMNS[1].1,
         // One angle's peak would make blobs of the others.
         same_axes: SameAxes::Panel,
@@ -68,6 +71,7 @@ pub static PRESETS: [Preset; 11] = [
         help: "Each material on a sphere that is split between data and model",
         models: PresetModels::One,
         by_material: false,
+        shows_errors: false,
         width_mm: COLUMNS[0].1,
         same_axes: SameAxes::Figure,
         rows: |b| {
@@ -85,6 +89,7 @@ pub static PRESETS: [Preset; 11] = [
         help: "Polar lobes in the plane of incidence, data and models",
         models: PresetModels::Several,
         by_material: false,
+        shows_errors: false,
         width_mm: COLUMNS[0].1,
         same_axes: SameAxes::Figure,
         rows: |b| b.grid(1, |b, _| ViewSpec::Lobes(b.lobes())),
@@ -94,6 +99,7 @@ pub static PRESETS: [Preset; 11] = [
         help: "f_r over the view angle in the plane of incidence, with model / measured below",
         models: PresetModels::Several,
         by_material: false,
+        shows_errors: false,
         width_mm: COLUMNS[0].1,
         same_axes: SameAxes::Figure,
         rows: |b| {
@@ -113,6 +119,7 @@ pub static PRESETS: [Preset; 11] = [
         help: "f_r over half and difference angle: data, model, and model − measured",
         models: PresetModels::One,
         by_material: false,
+        shows_errors: false,
         width_mm: COLUMNS[1].1,
         same_axes: SameAxes::Row,
         rows: |b| {
@@ -133,6 +140,7 @@ pub static PRESETS: [Preset; 11] = [
         help: "Directional albedo over the angle of incidence, data and models",
         models: PresetModels::Several,
         by_material: false,
+        shows_errors: false,
         width_mm: COLUMNS[0].1,
         same_axes: SameAxes::Figure,
         rows: |b| b.grid(1, |_, _| ViewSpec::Albedo(AlbedoSpec::default())),
@@ -142,6 +150,7 @@ pub static PRESETS: [Preset; 11] = [
         help: "The lobe over all view directions, data as a solid and model as wire",
         models: PresetModels::One,
         by_material: false,
+        shows_errors: false,
         width_mm: COLUMNS[0].1,
         same_axes: SameAxes::Figure,
         rows: |b| {
@@ -159,6 +168,7 @@ pub static PRESETS: [Preset; 11] = [
         help: "f_r over all view directions under one light, seen from above: data, model, and model / measured",
         models: PresetModels::One,
         by_material: false,
+        shows_errors: false,
         width_mm: COLUMNS[1].1,
         same_axes: SameAxes::Row,
         rows: |b| {
@@ -177,6 +187,7 @@ pub static PRESETS: [Preset; 11] = [
         help: "Where the error of the model comes from, over the angles of light and view",
         models: PresetModels::One,
         by_material: false,
+        shows_errors: false,
         width_mm: COLUMNS[0].1,
         same_axes: SameAxes::Figure,
         rows: |b| b.grid(1, |_, _| ViewSpec::ErrorMap(ErrorMapSpec::default())),
@@ -186,6 +197,7 @@ pub static PRESETS: [Preset; 11] = [
         help: "The best error of the combined model over s and α",
         models: PresetModels::Combined,
         by_material: false,
+        shows_errors: false,
         width_mm: COLUMNS[0].1,
         same_axes: SameAxes::Figure,
         rows: |b| {
@@ -205,9 +217,20 @@ pub static PRESETS: [Preset; 11] = [
         help: "Materials by the parameters of a model; of the combined one by α and s: which are Phong-like, which Blinn-Phong-like",
         models: PresetModels::One,
         by_material: true,
+        shows_errors: false,
         width_mm: COLUMNS[0].1,
         same_axes: SameAxes::Figure,
         rows: |b| b.scatter(),
+    },
+    Preset {
+        key: "ranking",
+        help: "E of each model over the materials, the Phong family where none is chosen: in the order of the first model's E",
+        models: PresetModels::Family,
+        by_material: false,
+        shows_errors: true,
+        width_mm: COLUMNS[0].1,
+        same_axes: SameAxes::Figure,
+        rows: |b| b.ranking(),
     },
 ];
 
@@ -233,10 +256,12 @@ pub struct PresetOptions {
 pub struct PresetMaterial {
     /// Display name.
     pub name: String,
-    /// Source of the data.
-    pub source: SubjectSource,
+    /// Source of the data; not needed where the preset shows errors.
+    pub source: Option<SubjectSource>,
     /// Models over the data.
     pub models: Vec<Brdf>,
+    /// E of the models, in their order, where the preset shows it.
+    pub errors: Vec<Errors>,
 }
 
 impl Preset {

@@ -38,11 +38,12 @@ fn materials_as(preset: &Preset, names: &[&str], options: &PresetOptions) -> Vec
     let model = |variant: crate::fit::Variant| variant.defaults();
     let material = |name: &&str| PresetMaterial {
         name: (*name).into(),
-        source: SubjectSource::Sample {
+        source: Some(SubjectSource::Sample {
             key: "violet-felt".into(),
             lookup: Lookup::Nearest,
-        },
+        }),
         models: preset.variants(options).into_iter().map(model).collect(),
+        errors: Vec::new(),
     };
     names.iter().map(material).collect()
 }

@@ -7,5 +7,5 @@ mod plot;
 mod spec;
 
 pub use order::{RankedRow, Ranking};
-pub use plot::{RankingPlot, series_of};
+pub use plot::RankingPlot;
 pub use spec::{ModelKey, RANKING_PARTS, RankedFit, RankedMaterial, RankingPart, RankingSpec};

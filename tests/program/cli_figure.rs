@@ -85,6 +85,10 @@ fn every_preset_is_a_pdf_that_other_programs_read() {
         ("error-map", vec!["E =", "θo"]),
         ("landscape", vec!["α (0 Phong, 1 Blinn-Phong)", "η = 1.5"]),
         ("scatter", vec!["lacquer", "Blinn-Phong", "α over s"]),
+        (
+            "ranking",
+            vec!["lacquer", "Combined: ", "materials by E of Phong"],
+        ),
     ];
     assert_eq!(cases.len(), PRESETS.len());
     for (preset, words) in cases {
@@ -198,8 +202,12 @@ fn several_models_are_in_one_figure_where_that_makes_sense() {
             "--model names 3 models; the preset sphere shows one",
         ),
         (
-            "--preset scatter --model phong",
-            "the preset scatter shows the combined model only",
+            "--preset scatter --model all",
+            "the preset scatter shows one: name one of them",
+        ),
+        (
+            "--preset landscape --model phong",
+            "the preset landscape shows the combined model only",
         ),
         ("--preset lobes --model fong", "there is no model \"fong\""),
     ] {
@@ -208,6 +216,54 @@ fn several_models_are_in_one_figure_where_that_makes_sense() {
         assert!(stderr(&result).contains(said), "{}", stderr(&result));
         assert!(!folder.path("refused.svg").exists());
     }
+}
+
+#[test]
+fn a_ranking_takes_its_errors_from_a_fit_file_and_fits_what_is_missing() {
+    let folder = Folder::new();
+    let data = folder.path("lacquer.binary");
+    succeeded(&grazing(&[&"sample", &"green-lacquer", &"-o", &data]));
+    let fits = folder.path("fits.json");
+    let staged = [&"--stages" as &dyn AsRef<std::ffi::OsStr>, &"1"];
+    let combined: [&dyn AsRef<std::ffi::OsStr>; 4] = [&"fit", &data, &"-o", &fits];
+    succeeded(&grazing(&[&combined[..], &staged[..]].concat()));
+    let csv = folder.path("ranking.csv");
+    let ranked = |options: &str| {
+        let options = format!("--preset ranking --force {options}");
+        succeeded(&figure(&fits, &csv, &options));
+        let text = fs::read_to_string(&csv).expect("a table");
+        let rows = text.lines().skip(1).map(|line| {
+            let fields = line.split(',').map(str::to_owned);
+            fields.collect::<Vec<String>>()
+        });
+        rows.collect::<Vec<_>>()
+    };
+    let rows = ranked("");
+    let models: Vec<&str> = rows.iter().map(|row| row[3].as_str()).collect();
+    assert_eq!(models, ["phong", "blinn-phong", "combined"]);
+    let percent = |row: &[String]| row[5].parse::<f64>().expect("a number");
+    // The file has the combined model: its E is taken as it stands there.
+    let text = fs::read_to_string(&fits).expect("fits");
+    let mut value: Value = serde_json::from_str(&text).expect("JSON");
+    let record = match &mut value {
+        Value::Array(all) => &mut all[0],
+        one => one,
+    };
+    assert!((percent(&rows[2]) - 100.0 * record["error"].as_f64().expect("E")).abs() < 1e-9);
+    record["error"] = Value::from(0.125);
+    fs::write(&fits, value.to_string()).expect("written");
+    let rows = ranked("--model combined");
+    assert!((percent(&rows[0]) - 12.5).abs() < 1e-9, "{rows:?}");
+    // Without the measured file it is drawn all the same, as long as nothing has to be fitted.
+    fs::remove_file(data).expect("removed");
+    assert_eq!(ranked("--model combined"), rows);
+    let refused = figure(&fits, &csv, "--preset ranking --model ward --force");
+    assert!(!refused.status.success());
+    let said = stderr(&refused);
+    assert!(
+        said.contains("the measured file of lacquer is missing"),
+        "{said}"
+    );
 }
 
 /// The corners of the paths of an SVG with a stroke of a colour, longest first, in points.

@@ -6,6 +6,7 @@ use crate::export::spec::{SubjectSource, SubjectSpec};
 use crate::figure::ViewSpec;
 use crate::figure::lobes::{LobeScale, LobeSpec};
 use crate::figure::page::{PanelSpec, RowSpec};
+use crate::figure::ranking::{RankedFit, RankedMaterial, RankingSpec};
 use crate::figure::scatter::{Quantity, ScatterSpec};
 use crate::figure::shown::Shown;
 use crate::figure::sphere_image::{SphereShow, SphereSpec};
@@ -27,7 +28,13 @@ impl Builder<'_> {
         let by_model = self.preset.tells_models_apart(self.options);
         let alone = self.materials.len() == 1;
         let mut subjects = Vec::new();
+        if self.preset.shows_errors {
+            return subjects;
+        }
         for (index, material) in self.materials.iter().enumerate() {
+            let Some(source) = &material.source else {
+                continue;
+            };
             // Where each panel has one material, all have the same colours and one legend.
             let series = if by_model { 0 } else { index };
             subjects.push(SubjectSpec {
@@ -38,7 +45,7 @@ impl Builder<'_> {
                 },
                 look: None,
                 series,
-                source: material.source.clone(),
+                source: source.clone(),
             });
             for brdf in &material.models {
                 let model = brdf.model.name;
@@ -179,6 +186,32 @@ impl Builder<'_> {
             }
         };
         (0..self.materials.len()).map(row).collect()
+    }
+
+    pub fn ranking(&self) -> Vec<RowSpec> {
+        let materials = self.materials.iter().map(|material| {
+            let fits = material.models.iter().zip(&material.errors);
+            RankedMaterial {
+                name: material.name.clone(),
+                fits: fits
+                    .map(|(brdf, errors)| RankedFit::new(brdf, errors))
+                    .collect(),
+            }
+        });
+        let spec = RankingSpec {
+            sort: self.preset.models(self.options).first().copied(),
+            fresnel: Some(self.options.fresnel),
+            materials: materials.collect(),
+            ..RankingSpec::default()
+        };
+        vec![RowSpec {
+            panels: vec![PanelSpec {
+                heading: None,
+                subjects: Vec::new(),
+                view: ViewSpec::Ranking(spec),
+            }],
+            ..RowSpec::default()
+        }]
     }
 
     pub fn scatter(&self) -> Vec<RowSpec> {

@@ -5,10 +5,10 @@ use super::spec::{RankingPart, RankingSpec};
 use crate::brdf::{Brdf, Fresnel, Model};
 use crate::figure::drawing::{Drawing, Point};
 use crate::figure::legend::LegendEntry;
-use crate::figure::palette::{Role, SERIES_COLORS};
+use crate::figure::palette::Role;
 use crate::figure::plot::{Outline, Panel, Pen, Plot, PlotDot, PlotFrame};
 use crate::figure::scale::{Axis, RadialScale, Steps};
-use crate::figure::subject::{Look, Source, Subject};
+use crate::figure::subject::{Source, Subject, model_line};
 use crate::figure::text::RichText;
 use crate::geom::limits::GRAZING_THETA_DEG;
 
@@ -57,7 +57,7 @@ impl RankingPlot {
             ],
             subjects: &subjects,
             x: Axis::between(RadialScale::Linear, 0.5, ranking.rows.len() as f64 + 0.5),
-            x_steps: Steps::Decimal,
+            x_steps: Steps::Whole,
             x_names: ranking
                 .rows
                 .iter()
@@ -99,27 +99,17 @@ impl RankingPlot {
     }
 }
 
-/// Series of a model's colour. The first colour is left to what is measured.
-pub fn series_of(model: &Model) -> usize {
-    1 + model.index()
-}
-
 /// The legend's entry of a model: its name, and how many materials it wins.
 fn subject(ranking: &Ranking, k: usize) -> Subject {
     let model = ranking.models[k];
-    let series = series_of(model);
+    let (series, look) = model_line(model);
     let label = match ranking.compared() {
         0 => model.name.to_owned(),
         all => format!("{}: {} of {all}", model.name, ranking.wins(k)),
     };
     Subject {
         label,
-        // Where colours come again the lines are dashed.
-        look: if series < SERIES_COLORS {
-            Look::Measured
-        } else {
-            Look::Beside { long: true }
-        },
+        look,
         series,
         hidden: false,
         source: Source::Model(Brdf::new(model, Fresnel::None)),

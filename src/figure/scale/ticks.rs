@@ -30,6 +30,8 @@ pub enum Steps {
     Decimal,
     /// Decimal steps, or those that divide a right angle: 15, 30, 45, 90 degrees.
     Degrees,
+    /// Decimal steps of 1 and more: of things that are counted.
+    Whole,
 }
 
 /// A step of a linear axis, how many parts minor marks divide it into, and how many decimals tell its multiples apart.
@@ -53,6 +55,11 @@ impl Steps {
                 }
             }
         }
+        let least = if self == Self::Whole {
+            least.max(1.0)
+        } else {
+            least
+        };
         let exponent = whole(least.log10().floor());
         let (digit, parts) = [(1.0, 5), (2.0, 4), (5.0, 5)]
             .into_iter()
