@@ -190,6 +190,8 @@ fn several_models_are_in_one_figure_where_that_makes_sense() {
         assert!(csv.contains(&row), "{name}");
     }
     for (options, said) in [
+        ("--preset lobes --model=", "there is no model \"\""),
+        ("--preset lobes --model ,", "there is no model \"\""),
         (
             "--preset sphere --model phong-family",
             "--model names 3 models; the preset sphere shows one",
@@ -199,8 +201,6 @@ fn several_models_are_in_one_figure_where_that_makes_sense() {
             "the preset scatter shows the combined model only",
         ),
         ("--preset lobes --model fong", "there is no model \"fong\""),
-        ("--preset lobes --model=", "there is no model \"\""),
-        ("--preset lobes --model ,", "there is no model \"\""),
     ] {
         let result = figure(&fits, &folder.path("refused.svg"), options);
         assert_eq!(result.status.code(), Some(2), "{}", stderr(&result));
