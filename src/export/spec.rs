@@ -71,6 +71,8 @@ pub enum SubjectLook {
     Dotted,
     /// Long dashes.
     LongDashes,
+    /// Dashed, over the first measurement of its panel.
+    Dashed,
 }
 
 impl SubjectLook {
@@ -81,6 +83,7 @@ impl SubjectLook {
             Self::Model => Look::Model,
             Self::Dotted => Look::Beside { long: false },
             Self::LongDashes => Look::Beside { long: true },
+            Self::Dashed => Look::Dashed,
         }
     }
 }
@@ -92,6 +95,7 @@ impl From<Look> for SubjectLook {
             Look::Model => Self::Model,
             Look::Beside { long: false } => Self::Dotted,
             Look::Beside { long: true } => Self::LongDashes,
+            Look::Dashed => Self::Dashed,
         }
     }
 }

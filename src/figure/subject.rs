@@ -121,6 +121,8 @@ pub enum Look {
         /// Whether the dashes are long, which tells two kinds of models apart.
         long: bool,
     },
+    /// One of several models over the first measurement, in a colour of its own: dashed.
+    Dashed,
     /// Dashed.
     Model,
 }
@@ -130,7 +132,7 @@ impl Look {
     pub fn dash(self) -> Option<[f32; 2]> {
         match self {
             Self::Measured => None,
-            Self::Model => Some([6.0, 3.5]),
+            Self::Model | Self::Dashed => Some([6.0, 3.5]),
             Self::Beside { long: false } => Some([1.6, 2.8]),
             Self::Beside { long: true } => Some([12.0, 4.0]),
         }
@@ -139,7 +141,7 @@ impl Look {
     /// Width of a line in points.
     pub fn width(self) -> f32 {
         match self {
-            Self::Measured | Self::Model => 2.0,
+            Self::Measured | Self::Model | Self::Dashed => 2.0,
             Self::Beside { .. } => 1.6,
         }
     }

@@ -140,7 +140,7 @@ pub fn curve_head(cosine: CosineFactor, channel: Channel, subject: &Subject) -> 
 pub fn kind(subject: &Subject) -> &'static str {
     match subject.look {
         Look::Measured => "measured",
-        Look::Model | Look::Beside { .. } => "model",
+        Look::Model | Look::Dashed | Look::Beside { .. } => "model",
     }
 }
 

@@ -196,7 +196,29 @@ fn several_models_are_in_one_figure_where_that_makes_sense() {
         .collect();
     assert_eq!(labels, ["lacquer", "Phong", "Combined"]);
     assert_ne!(subjects[1]["series"], subjects[2]["series"]);
+    // Below slices each has a residual, whatever its line.
+    let models = "phong,blinn-phong,combined,ggx";
+    let fits_of_four = {
+        let text = fs::read_to_string(&fits).expect("fits");
+        let mut fits: Vec<Value> = serde_json::from_str(&text).expect("JSON");
+        fits.push(serde_json::json!({
+            "model": "ggx", "fresnel": "exact", "material": "lacquer",
+            "source": {"path": "lacquer.binary"}, "error": 0.1,
+            "rho_d": [0.02, 0.1, 0.05], "k_s": [1, 1, 1], "roughness": 0.2, "eta": 1.5
+        }));
+        folder.file("four.json", Value::from(fits).to_string())
+    };
+    let csv = folder.path("slices.csv");
+    let options = format!("--preset slices --model {models}");
+    succeeded(&figure(&fits_of_four, &csv, &options));
+    let csv = fs::read_to_string(csv).expect("a CSV");
+    for name in ["Phong", "Blinn-Phong", "Combined", "GGX"] {
+        let row = format!(",model / measured,luminance,{name},");
+        assert!(csv.contains(&row), "{name}");
+    }
     for (options, said) in [
+        ("--preset lobes --model=", "there is no model \"\""),
+        ("--preset lobes --model ,", "there is no model \"\""),
         (
             "--preset sphere --model phong-family",
             "--model names 3 models; the preset sphere shows one",

@@ -1,6 +1,6 @@
 //! The rows of a preset's page, from materials and options.
 
-use super::{Preset, PresetMaterial, PresetOptions};
+use super::{Preset, PresetMaterial, PresetModels, PresetOptions};
 use crate::brdf::{Fresnel, ParamId};
 use crate::export::spec::{SubjectSource, SubjectSpec};
 use crate::figure::ViewSpec;
@@ -50,10 +50,11 @@ impl Builder<'_> {
             for brdf in &material.models {
                 let model = brdf.model.name;
                 let (own, look) = model_line(brdf.model);
-                let (series, look) = if by_model {
-                    (own, look)
-                } else {
-                    (series, Look::Model)
+                let (series, look) = match (by_model, look, self.preset.models) {
+                    (false, ..) => (series, Look::Model),
+                    // With the data's colour gone, this look says whose residual is below slices. The poster has none.
+                    (true, Look::Model, PresetModels::Several) => (own, Look::Dashed),
+                    (true, ..) => (own, look),
                 };
                 subjects.push(SubjectSpec {
                     label: if self.preset.by_material {

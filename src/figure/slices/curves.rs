@@ -72,7 +72,7 @@ fn angles(spec: &SliceSpec, slice: usize, width: f32) -> Vec<f64> {
     angles
 }
 
-/// Models against the measurements they are over; a fit beside them against that of the first subject.
+/// Models against the measurements they are over; one in a colour of its own against that of the first subject.
 pub(super) fn residuals(
     spec: &SliceSpec,
     subjects: &[Subject],
@@ -121,7 +121,7 @@ fn measured_of(subjects: &[Subject], model: usize) -> Option<usize> {
     let series = match subjects[model].look {
         Look::Measured => return None,
         Look::Model => subjects[model].series,
-        Look::Beside { .. } => subjects.first()?.series,
+        Look::Dashed | Look::Beside { .. } => subjects.first()?.series,
     };
     subjects
         .iter()

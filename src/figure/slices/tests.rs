@@ -205,7 +205,7 @@ fn zoomed_in_there_is_a_sample_per_point() {
     assert!((low + 0.5).abs() < 1e-12 && (high + 0.49).abs() < 1e-12);
 }
 
-/// Differences and ratios of 1.5 and 3 against 2, and of a fit of 2.5 beside.
+/// Differences and ratios of 1.5 against 2 and 3 against 6, and of fits of 2.5 and 4 beside.
 fn residual_values(residual: Residual) -> Vec<(usize, usize, f64)> {
     let spec = SliceSpec {
         residual,
@@ -220,6 +220,7 @@ fn residual_values(residual: Residual) -> Vec<(usize, usize, f64)> {
         constant(Look::Measured, 3, 6.0),
         constant(Look::Model, 3, 3.0),
         constant(Look::Model, 4, 9.0),
+        constant(Look::Dashed, 4, 4.0),
     ];
     let plot = SlicePlot::new(&spec, &subjects, SIZE);
     let residuals = plot.residuals.iter();
@@ -235,11 +236,11 @@ fn residual_values(residual: Residual) -> Vec<(usize, usize, f64)> {
 fn residuals_compare_a_model_with_its_own_material() {
     assert_eq!(
         residual_values(Residual::Difference),
-        [(0, 1, -0.5), (0, 2, 0.5), (3, 4, -3.0)]
+        [(0, 1, -0.5), (0, 2, 0.5), (3, 4, -3.0), (0, 6, 2.0)]
     );
     assert_eq!(
         residual_values(Residual::Ratio),
-        [(0, 1, 0.75), (0, 2, 1.25), (3, 4, 0.5)]
+        [(0, 1, 0.75), (0, 2, 1.25), (3, 4, 0.5), (0, 6, 2.0)]
     );
     assert_eq!(residual_values(Residual::None), []);
 }
