@@ -104,7 +104,8 @@ pub fn solve(
         let at = amplitudes(|k| channels[k].at);
         let bands = std::array::from_fn(|k| channels[k].band);
         let floor = std::array::from_fn(|k| (3e-3 * cells.energy[k] * bands[k]).max(1e-25));
-        let sums = kernels::regression(cells, shapes, &at, bands, floor, threads);
+        let wanted = std::array::from_fn(|k| !channels[k].done);
+        let sums = kernels::regression(cells, shapes, &at, bands, floor, wanted, threads);
         for (k, channel) in channels.iter_mut().enumerate() {
             if !channel.done {
                 channel.update(&sums[k], &limits.of(k), effort, cells.energy[k]);

@@ -189,7 +189,8 @@ impl<S: Simd> Lanes<S> {
         let splat = |x: f32| Self::splat(simd, x);
         let u = (splat(1.0) - self).max(splat(TINY));
         // What rounding took from 1 − v; without it nothing is left of a v below 1e-7.
-        let lost = ((splat(1.0) - u) - self).where_le(self, splat(0.5));
+        // From ½ on 1 − v is exact, and so this is 0.
+        let lost = (splat(1.0) - u) - self;
         // So that mantissas run from √½ to √2 and not from 1 to 2.
         let shifted = simd.add_u32s(u.bits(), simd.splat_u32s(ONE - SQRT_HALF));
         let exponent = simd.wrapping_dyn_shr_u32s(shifted, simd.splat_u32s(23));
@@ -202,11 +203,11 @@ impl<S: Simd> Lanes<S> {
         exponent.mul_add(splat(std::f32::consts::LN_2), log + lost)
     }
 
-    /// e^t for t = self ≤ 0, to 3e-7 of itself; 0 below −40, so that no product of what follows is denormal, which
+    /// e^t for t = self ≤ 0, to 3e-7 of itself; 0 below [`LOWEST`], so that no product of what follows is denormal, which
     /// would cost a hundred times as much.
     #[inline(always)]
     pub fn exp_negative(self) -> Self {
-        // e^r = 1 + r + r² Q(r) on ±ln2/2, to 3e-9.
+        // e^r = 1 + r + r² Q(r) on ±ln2/2, to 3e-9; all of it times UNIT, which costs nothing.
         const Q: [f32; 6] = [
             1.0,
             0.499_999_94,
@@ -219,17 +220,19 @@ impl<S: Simd> Lanes<S> {
         const ROUND: f32 = 12_582_912.0;
         const LN_2_HIGH: f32 = 0.693_359_4;
         const LN_2_LOW: f32 = -2.121_944_4e-4;
-        const LOWEST: f32 = -40.0;
+        // −59 is where LOWEST rounds to: there the bits of the power of two, and so it, are 0.
+        const LEAST: u32 = 59;
+        const UNIT: f32 = f32::from_bits((127 + 127 - LEAST) << 23);
         let simd = self.simd;
         let splat = |x: f32| Self::splat(simd, x);
         let t = self.max(splat(LOWEST));
         let shifted = t.mul_add(splat(std::f32::consts::LOG2_E), splat(ROUND));
         let n = shifted - splat(ROUND);
         let r = n.mul_add(splat(-LN_2_LOW), n.mul_add(splat(-LN_2_HIGH), t));
-        let power = r.mul_add(r.polynomial(Q), splat(1.0));
-        let biased = simd.add_u32s(shifted.bits(), simd.splat_u32s(127));
+        let power = r.mul_add(r.polynomial(Q.map(|q| UNIT * q)), splat(UNIT));
+        let biased = simd.add_u32s(shifted.bits(), simd.splat_u32s(LEAST));
         let scale = simd.wrapping_dyn_shl_u32s(biased, simd.splat_u32s(23));
-        (power * Self::from_bits(simd, scale)).where_le(splat(LOWEST), self)
+        power * Self::from_bits(simd, scale)
     }
 }
 
@@ -267,6 +270,9 @@ impl<S: Simd> Div for Lanes<S> {
 
 /// Smallest base of a power: below it the lobe counts as 0.
 pub const TINY: f32 = 1e-30;
+
+/// Logarithm of what counts as 0.
+pub const LOWEST: f32 = -41.0;
 
 #[cfg(test)]
 mod tests {

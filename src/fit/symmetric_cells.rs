@@ -28,6 +28,9 @@ const PER_ROW: usize = 90;
 /// Largest number of cells in a row, padded to whole blocks.
 pub const ROW_CELLS: usize = PER_ROW.next_multiple_of(LANES);
 
+/// Number of rows that a pass takes at a time: their sums are in f32, all of them together in f64.
+pub const ROWS_PER_SUM: usize = 6;
+
 /// Size of an even sample of the cells.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampling {

@@ -1,12 +1,12 @@
 //! Kernels of E and its gradient in the variables of the search.
 
 use super::super::amplitudes::Amplitudes;
-use super::super::lobes::{LobeKernel, RowSlopes};
+use super::super::lobes::{CELLS_PER_SUM, LobeKernel, RowSlopes};
 use super::super::simd::{self, Kernel, Lanes, vectors};
-use super::super::symmetric_cells::{CellRow, ROW_CELLS, SymmetricCells};
+use super::super::symmetric_cells::{CellRow, ROWS_PER_SUM, SymmetricCells};
 use super::super::threads::Threads;
 use super::super::variables::VARIABLES;
-use super::rows::{ROWS_PER_SUM, block_of, over_slabs, per_block};
+use super::rows::{block_of, over_slabs, per_block, where_measured};
 use pulp::Simd;
 use std::ops::Range;
 
@@ -47,27 +47,31 @@ impl<const GRADIENT: bool> ErrorPass<'_, GRADIENT> {
         let specular = self.amplitudes.specular.map(|b| splat(b as f32));
         let band = splat(self.band);
         let smallest = splat(f32::MIN_POSITIVE);
-        let mut shapes = [0.0; ROW_CELLS];
+        let one = splat(1.0);
+        let mut shapes = [0.0; CELLS_PER_SUM];
         let mut slopes = RowSlopes::default();
-        // ∂E / ∂ ln shape per cell of the row.
-        let mut by_ln_shapes = [0.0; ROW_CELLS];
+        // ∂E / ∂ ln shape per cell.
+        let mut by_ln_shapes = [0.0; CELLS_PER_SUM];
         let mut sums = ErrorGradient::default();
         for rows in self.rows.chunks(ROWS_PER_SUM) {
+            if GRADIENT {
+                let slopes = &mut slopes;
+                self.lobe.slopes(self.cells, rows, &mut shapes, slopes);
+            } else {
+                self.lobe.shapes(self.cells, rows, &mut shapes);
+            }
             let mut error = zero;
-            for row in rows {
-                let cos2 = self.cells.cos2_of(row);
-                let shapes = &mut shapes[..cos2.len()];
-                if GRADIENT {
-                    self.lobe.slopes(row, cos2, shapes, &mut slopes);
-                } else {
-                    self.lobe.shapes(row, cos2, shapes);
-                }
+            let mut done = 0;
+            for (row, constant) in rows.iter().zip(&slopes.constant) {
                 let [w0, w1] = row.weight.map(splat);
                 let values = vectors::<S>(self.cells.values_of(row));
-                let by_ln_shapes = &mut S::as_mut_simd_f32s(&mut by_ln_shapes).0;
-                let by_ln_shapes = &mut by_ln_shapes[..cos2.len() / S::F32_LANES];
-                let pairs = vectors::<S>(shapes).iter().zip(vectors::<S>(cos2));
-                let pairs = pairs.zip(by_ln_shapes.iter_mut());
+                let cos2 = vectors::<S>(self.cells.cos2_of(row));
+                // As long as each other: nothing is checked in the loop.
+                let shapes = &vectors::<S>(&shapes)[done..][..cos2.len()];
+                let by_ln_shapes = &mut S::as_mut_simd_f32s(&mut by_ln_shapes).0[done..];
+                done += cos2.len();
+                let mut by_ln_shape_of_row = zero;
+                let pairs = shapes.iter().zip(cos2).zip(by_ln_shapes);
                 for (vector, ((shape, cos2), by_ln_shape)) in pairs.enumerate() {
                     let shape = Lanes::new(simd, *shape);
                     let weight = w1.mul_add(Lanes::new(simd, *cos2), w0);
@@ -77,40 +81,47 @@ impl<const GRADIENT: bool> ErrorPass<'_, GRADIENT> {
                         let measured: [_; 3] = std::array::from_fn(|channel| {
                             Lanes::new(simd, values[(3 * mirror + channel) * per_block::<S>()])
                         });
-                        let weight = weight.where_le(zero, measured[0]);
+                        let weight = where_measured(weight, measured[0], zero);
+                        let (mut size, mut slope) = (zero, zero);
                         for channel in 0..3 {
+                            // The same for every mirror, and so computed once.
                             let model = specular[channel].mul_add(shape, diffuse[channel]);
-                            let size = (model - measured[channel]).abs();
-                            error = weight.mul_add(size, error);
+                            let r = model - measured[channel];
+                            size = size + r.abs();
                             if GRADIENT {
                                 // The sign of the residual, softened over a narrow band around 0.
-                                let width = band.mul_add(model, smallest);
-                                let sign = (model - measured[channel]) / size.max(width);
-                                by_shape = (weight * specular[channel]).mul_add(sign, by_shape);
+                                let steep = one / band.mul_add(model, smallest);
+                                let sign = (r * steep).min(one).max(zero - one);
+                                slope = specular[channel].mul_add(sign, slope);
                             }
+                        }
+                        error = weight.mul_add(size, error);
+                        if GRADIENT {
+                            by_shape = weight.mul_add(slope, by_shape);
                         }
                     }
                     if GRADIENT {
-                        *by_ln_shape = (by_shape * shape).vector();
+                        let by_ln = by_shape * shape;
+                        *by_ln_shape = by_ln.vector();
+                        by_ln_shape_of_row = by_ln_shape_of_row + by_ln;
                     }
                 }
                 if GRADIENT {
-                    let mut total = zero;
-                    for by_ln_shape in by_ln_shapes.iter() {
-                        total = total + Lanes::new(simd, *by_ln_shape);
-                    }
-                    let total = total.total();
-                    for (sum, slope) in sums.gradient.iter_mut().zip(slopes.constant) {
+                    let total = by_ln_shape_of_row.total();
+                    for (sum, slope) in sums.gradient.iter_mut().zip(constant) {
                         *sum += total * slope;
                     }
-                    for (variable, slopes) in self.lobe.varying().iter().zip(&slopes.varying) {
-                        let mut sum = zero;
-                        for (by_ln_shape, slope) in by_ln_shapes.iter().zip(vectors::<S>(slopes)) {
-                            let by_ln_shape = Lanes::new(simd, *by_ln_shape);
-                            sum = by_ln_shape.mul_add(Lanes::new(simd, *slope), sum);
-                        }
-                        sums.gradient[*variable] += sum.total();
+                }
+            }
+            if GRADIENT {
+                let by_ln_shapes = &vectors::<S>(&by_ln_shapes)[..done];
+                for (variable, slopes) in self.lobe.varying().iter().zip(&slopes.varying) {
+                    let mut sum = zero;
+                    for (by_ln_shape, slope) in by_ln_shapes.iter().zip(vectors::<S>(slopes)) {
+                        let by_ln_shape = Lanes::new(simd, *by_ln_shape);
+                        sum = by_ln_shape.mul_add(Lanes::new(simd, *slope), sum);
                     }
+                    sums.gradient[*variable] += sum.total();
                 }
             }
             sums.error += error.total();

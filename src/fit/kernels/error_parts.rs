@@ -1,11 +1,11 @@
 //! Kernel of the error per channel and of the grazing cells.
 
 use super::super::amplitudes::Amplitudes;
-use super::super::lobes::LobeKernel;
+use super::super::lobes::{CELLS_PER_SUM, LobeKernel};
 use super::super::simd::{self, Kernel, LANES, Lanes, vectors};
-use super::super::symmetric_cells::{CellRow, ROW_CELLS, SymmetricCells};
+use super::super::symmetric_cells::{CellRow, ROWS_PER_SUM, SymmetricCells};
 use super::super::threads::Threads;
-use super::rows::{ROWS_PER_SUM, block_of, over_slabs, per_block};
+use super::rows::{block_of, over_slabs, per_block, where_measured};
 use pulp::Simd;
 use std::ops::Range;
 
@@ -45,19 +45,21 @@ impl PartsPass<'_> {
         let specular = self.amplitudes.specular.map(|b| splat(b as f32));
         let places: [f32; LANES] = std::array::from_fn(|lane| lane as f32);
         let places = Lanes::new(simd, vectors::<S>(&places)[0]);
-        let mut shapes = [0.0; ROW_CELLS];
+        let mut shapes = [0.0; CELLS_PER_SUM];
         let mut parts = Parts::default();
         for rows in self.rows.chunks(ROWS_PER_SUM) {
+            self.lobe.shapes(self.cells, rows, &mut shapes);
+            let mut shapes = vectors::<S>(&shapes).iter();
             let mut channels = [zero; 3];
             let mut grazing = zero;
             for row in rows {
-                let cos2 = self.cells.cos2_of(row);
-                let shapes = &mut shapes[..cos2.len()];
-                self.lobe.shapes(row, cos2, shapes);
                 let [w0, w1] = row.weight.map(splat);
                 let values = vectors::<S>(self.cells.values_of(row));
-                let pairs = vectors::<S>(shapes).iter().zip(vectors::<S>(cos2));
-                for (vector, (shape, cos2)) in pairs.enumerate() {
+                // Cells first: the iterator of what remains then ends with the row.
+                let pairs = vectors::<S>(self.cells.cos2_of(row))
+                    .iter()
+                    .zip(&mut shapes);
+                for (vector, (cos2, shape)) in pairs.enumerate() {
                     let shape = Lanes::new(simd, *shape);
                     let weight = w1.mul_add(Lanes::new(simd, *cos2), w0);
                     let values = block_of::<S, MIRRORS>(values, vector);
@@ -66,7 +68,7 @@ impl PartsPass<'_> {
                         for channel in 0..3 {
                             let plane = (3 * mirror + channel) * per_block::<S>();
                             let measured = Lanes::new(simd, values[plane]);
-                            let weight = weight.where_le(zero, measured);
+                            let weight = where_measured(weight, measured, zero);
                             let model = specular[channel].mul_add(shape, diffuse[channel]);
                             here[channel] = weight.mul_add((model - measured).abs(), here[channel]);
                         }

@@ -30,14 +30,7 @@ pub fn fill(
         rest = after;
         slabs.push((rows, out));
     }
-    let work = |(rows, mut rest): (&[_], &mut [f32])| {
-        for row in rows {
-            let cos2 = cells.cos2_of(row);
-            let (out, after) = std::mem::take(&mut rest).split_at_mut(cos2.len());
-            rest = after;
-            lobe.shapes(row, cos2, out);
-        }
-    };
+    let work = |(rows, out): (&[_], &mut [f32])| lobe.shapes(cells, rows, out);
     match threads {
         Threads::One => slabs.into_iter().for_each(work),
         Threads::Many => slabs.into_par_iter().for_each(work),

@@ -2,9 +2,9 @@
 
 use super::super::amplitudes::Amplitudes;
 use super::super::simd::{self, Kernel, LANES, Lanes, vectors};
-use super::super::symmetric_cells::{CellRow, SymmetricCells};
+use super::super::symmetric_cells::{CellRow, ROWS_PER_SUM, SymmetricCells};
 use super::super::threads::Threads;
-use super::rows::{ROWS_PER_SUM, block_of, over_slabs, per_block};
+use super::rows::{block_of, over_slabs, per_block, where_measured};
 use pulp::Simd;
 use std::ops::Range;
 
@@ -28,6 +28,7 @@ struct RegressionPass<'a> {
     amplitudes: &'a Amplitudes,
     bands: [f32; 3],
     floor: [f32; 3],
+    wanted: [bool; 3],
 }
 
 impl Kernel for RegressionPass<'_> {
@@ -48,6 +49,9 @@ impl RegressionPass<'_> {
         let zero = splat(0.0);
         let mut sums = [ChannelSums::default(); 3];
         for (channel, sum) in sums.iter_mut().enumerate() {
+            if !self.wanted[channel] {
+                continue;
+            }
             let a = splat(self.amplitudes.diffuse[channel] as f32);
             let b = splat(self.amplitudes.specular[channel] as f32);
             let (band, floor) = (splat(self.bands[channel]), splat(self.floor[channel]));
@@ -70,7 +74,7 @@ impl RegressionPass<'_> {
                         for mirror in 0..MIRRORS {
                             let plane = (3 * mirror + channel) * per_block::<S>();
                             let measured = Lanes::new(simd, values[plane]);
-                            let weight = weight.where_le(zero, measured);
+                            let weight = where_measured(weight, measured, zero);
                             let r = model - measured;
                             let size = r.abs();
                             error = weight.mul_add(size, error);
@@ -99,13 +103,15 @@ impl RegressionPass<'_> {
     }
 }
 
-/// Sums of all channels at these amplitudes. A channel's band is `bands · f̂ + floor`, f̂ its model.
+/// Sums of the wanted channels at these amplitudes, 0 of the others. A channel's band is `bands · f̂ + floor`, f̂ its
+/// model.
 pub fn regression(
     cells: &SymmetricCells,
     shapes: &[f32],
     amplitudes: &Amplitudes,
     bands: [f64; 3],
     floor: [f64; 3],
+    wanted: [bool; 3],
     threads: Threads,
 ) -> [ChannelSums; 3] {
     let work = |slab: Range<usize>| {
@@ -116,6 +122,7 @@ pub fn regression(
             amplitudes,
             bands: bands.map(|x| x as f32),
             floor: floor.map(|x| x as f32),
+            wanted,
         })
     };
     let mut sums = [ChannelSums::default(); 3];

@@ -1,14 +1,11 @@
 //! Slabs of rows spread over threads, and the values along a row: the common ground of the passes.
 
-use super::super::simd::LANES;
+use super::super::simd::{LANES, Lanes};
 use super::super::symmetric_cells::SymmetricCells;
 use super::super::threads::Threads;
 use pulp::Simd;
 use rayon::prelude::*;
 use std::ops::Range;
-
-/// Number of rows that are summed in f32 before they are added in f64.
-pub(super) const ROWS_PER_SUM: usize = 6;
 
 /// Runs `work` for every slab and folds the results in the order of the slabs.
 pub(super) fn over_slabs<T: Send>(
@@ -24,6 +21,17 @@ pub(super) fn over_slabs<T: Send>(
             parts.into_iter().for_each(&mut fold);
         }
     }
+}
+
+/// Weight where a value is measured, 0 where it is absent: [`ABSENT`](super::super::symmetric_cells::ABSENT) is −1, and
+/// no other is below 0.
+#[inline(always)]
+pub(super) fn where_measured<S: Simd>(
+    weight: Lanes<S>,
+    value: Lanes<S>,
+    zero: Lanes<S>,
+) -> Lanes<S> {
+    weight.mul_add(value.min(zero), weight)
 }
 
 /// Number of vectors per block.

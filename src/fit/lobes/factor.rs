@@ -7,7 +7,7 @@ use super::{LobeKernel, LobeShape, RowSlopes, angles_of, cosines_at};
 use crate::brdf::along_phi_d::{Azimuth, RowAngles, Smith};
 use crate::brdf::{LobeValues, Model};
 use crate::fit::simd::{self, Kernel, Lanes, vectors};
-use crate::fit::symmetric_cells::CellRow;
+use crate::fit::symmetric_cells::{CellRow, SymmetricCells};
 use crate::fit::variables::{ETA_VARIABLE, VARIABLES};
 use pulp::Simd;
 
@@ -238,58 +238,76 @@ impl<F: Factor> Rows<F> {
     /// Number of the row, R_F included: the lobe over the factor at φd = 90°, where no cosine is 0. And the factor's slope
     /// there.
     fn of_row(&self, row: &CellRow) -> [f64; 2] {
-        let angles = angles_of(row);
-        let scalar = FactorRow::new(pulp::Scalar, angles, self.lobe[0]);
+        let lobe = (self.model.lobe)(&self.lobe, &cosines_at(row, 0.0));
+        if lobe <= DARK {
+            return [0.0; 2];
+        }
+        let scalar = FactorRow::new(pulp::Scalar, angles_of(row), self.lobe[0]);
         let at_reference = self.factor.at(&scalar, Lanes::splat(pulp::Scalar, 0.0));
         let [factor, slope] = at_reference.map(Lanes::total);
-        let lobe = (self.model.lobe)(&self.lobe, &cosines_at(row, 0.0));
         [self.fresnel.value[row.theta_d] * lobe / factor, slope]
     }
 
-    fn fill<const SLOPES: usize>(
-        &self,
-        row: &CellRow,
-        number: f64,
-        cos2: &[f32],
-        shapes: &mut [f32],
-        slopes: [&mut [f32]; SLOPES],
-    ) {
-        simd::dispatch(Fill {
-            factor: self.factor,
-            angles: angles_of(row),
-            p: self.lobe[0],
-            number,
-            cos2,
-            shapes,
-            slopes,
-        });
+    /// Slopes that are the same in all cells of a row with this number.
+    fn constant(&self, row: &CellRow, [number, factor_slope]: [f64; 2]) -> [f64; VARIABLES] {
+        let mut slopes = [0.0; VARIABLES];
+        // Where the lobe is 0 its slope is of no account.
+        if number > 0.0 {
+            let cosines = cosines_at(row, 0.0);
+            for (slope, moved) in slopes.iter_mut().zip(&self.moved) {
+                let change = log_slope(moved.map(|lobe| (self.model.lobe)(&lobe, &cosines)));
+                *slope = if change.is_finite() { change } else { 0.0 };
+            }
+            if F::VARIES {
+                slopes[0] -= factor_slope;
+            }
+            slopes[ETA_VARIABLE] = self.fresnel.slope[row.theta_d];
+        }
+        slopes
     }
 }
 
+/// Values of a lobe up to this count as 0: the foot of a needle, far below what f32 adds to anything.
+const DARK: f64 = 1e-25;
+
 impl<F: Factor> LobeKernel for Rows<F> {
-    fn shapes(&self, row: &CellRow, cos2: &[f32], shapes: &mut [f32]) {
-        let [number, _] = self.of_row(row);
-        self.fill(row, number, cos2, shapes, []);
+    fn shapes(&self, cells: &SymmetricCells, rows: &[CellRow], shapes: &mut [f32]) {
+        simd::dispatch(Fill {
+            lobe: self,
+            cells,
+            rows,
+            shapes,
+            constant: &mut [],
+            slopes: [],
+        });
     }
 
-    fn slopes(&self, row: &CellRow, cos2: &[f32], shapes: &mut [f32], slopes: &mut RowSlopes) {
-        let [number, factor_slope] = self.of_row(row);
-        let cosines = cosines_at(row, 0.0);
-        slopes.constant = [0.0; VARIABLES];
-        slopes.constant[ETA_VARIABLE] = self.fresnel.slope[row.theta_d];
-        if number > 0.0 {
-            for (slope, moved) in slopes.constant.iter_mut().zip(&self.moved) {
-                let change = log_slope(moved.map(|lobe| (self.model.lobe)(&lobe, &cosines)));
-                // Where a needle's foot falls below what f64 holds, its slope is of no account.
-                *slope = if change.is_finite() { change } else { 0.0 };
-            }
-        }
+    fn slopes(
+        &self,
+        cells: &SymmetricCells,
+        rows: &[CellRow],
+        shapes: &mut [f32],
+        slopes: &mut RowSlopes,
+    ) {
+        let constant = &mut slopes.constant;
         if F::VARIES {
-            slopes.constant[0] -= factor_slope;
-            let by_first = &mut slopes.varying[0][..cos2.len()];
-            self.fill(row, number, cos2, shapes, [by_first]);
+            simd::dispatch(Fill {
+                lobe: self,
+                cells,
+                rows,
+                shapes,
+                constant,
+                slopes: [&mut slopes.varying[0]],
+            });
         } else {
-            self.fill(row, number, cos2, shapes, []);
+            simd::dispatch(Fill {
+                lobe: self,
+                cells,
+                rows,
+                shapes,
+                constant,
+                slopes: [],
+            });
         }
     }
 
@@ -298,14 +316,14 @@ impl<F: Factor> LobeKernel for Rows<F> {
     }
 }
 
-/// Writes the shapes of a row, and the factor's slopes where `SLOPES` is 1.
+/// Writes the shapes of rows, the slopes that are the same in all cells of a row where there is room for them, and the
+/// factor's slopes where `SLOPES` is 1.
 struct Fill<'a, F, const SLOPES: usize> {
-    factor: F,
-    angles: &'a RowAngles,
-    p: f64,
-    number: f64,
-    cos2: &'a [f32],
+    lobe: &'a Rows<F>,
+    cells: &'a SymmetricCells,
+    rows: &'a [CellRow],
     shapes: &'a mut [f32],
+    constant: &'a mut [[f64; VARIABLES]],
     slopes: [&'a mut [f32]; SLOPES],
 }
 
@@ -313,19 +331,37 @@ impl<F: Factor, const SLOPES: usize> Kernel for Fill<'_, F, SLOPES> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) {
-        let row = FactorRow::new(simd, self.angles, self.p);
-        let number = row.splat(self.number as f32);
-        // As long as each other: nothing is checked in the loop.
-        let cos2 = vectors::<S>(self.cos2);
-        let shapes = S::as_mut_simd_f32s(self.shapes).0.iter_mut();
-        let slopes = self
-            .slopes
-            .map(|slopes| &mut S::as_mut_simd_f32s(slopes).0[..cos2.len()]);
-        for (k, (cos2, out)) in cos2.iter().zip(shapes).enumerate() {
-            let [factor, slope] = self.factor.at(&row, Lanes::new(simd, *cos2));
-            *out = (number * factor).vector();
-            if SLOPES > 0 {
-                slopes[0][k] = slope.vector();
+        let mut constant = self.constant.iter_mut();
+        let mut shapes = S::as_mut_simd_f32s(self.shapes).0;
+        let mut slopes = self.slopes.map(|slopes| S::as_mut_simd_f32s(slopes).0);
+        for row in self.rows {
+            let of_row = self.lobe.of_row(row);
+            if let Some(constant) = constant.next() {
+                *constant = self.lobe.constant(row, of_row);
+            }
+            let cos2 = vectors::<S>(self.cells.cos2_of(row));
+            // As long as each other: nothing is checked in the loop.
+            let (shapes_here, after) = std::mem::take(&mut shapes).split_at_mut(cos2.len());
+            shapes = after;
+            let mut slopes_here = slopes.each_mut().map(|slopes| {
+                let (here, after) = std::mem::take(slopes).split_at_mut(cos2.len());
+                *slopes = after;
+                here
+            });
+            if of_row[0] <= 0.0 {
+                let zero = simd.splat_f32s(0.0);
+                shapes_here.fill(zero);
+                slopes_here.iter_mut().for_each(|slopes| slopes.fill(zero));
+                continue;
+            }
+            let row = FactorRow::new(simd, angles_of(row), self.lobe.lobe[0]);
+            let number = row.splat(of_row[0] as f32);
+            for (k, (cos2, out)) in cos2.iter().zip(shapes_here).enumerate() {
+                let [factor, slope] = self.lobe.factor.at(&row, Lanes::new(simd, *cos2));
+                *out = (number * factor).vector();
+                if SLOPES > 0 {
+                    slopes_here[0][k] = slope.vector();
+                }
             }
         }
     }

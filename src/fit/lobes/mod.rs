@@ -11,7 +11,7 @@ mod fresnel_rows;
 mod power;
 
 use super::options::Variant;
-use super::symmetric_cells::{CellRow, ROW_CELLS};
+use super::symmetric_cells::{CellRow, ROW_CELLS, ROWS_PER_SUM, SymmetricCells};
 use super::variables::{ETA_VARIABLE, SearchPoint, VARIABLES, value};
 use crate::brdf::along_phi_d::{AlongPhiD, RowAngles};
 use crate::brdf::params::ETA;
@@ -21,31 +21,42 @@ use crate::measured::Grid;
 use crate::measured::grid::{THETA_D_BINS, THETA_H_BINS};
 use std::sync::LazyLock;
 
-/// A specular shape, ready for passes over rows of cells.
+/// A specular shape, ready for passes over rows of cells. It takes many rows at a time, as a row is as short as the way
+/// to it.
 pub trait LobeKernel: Send + Sync {
-    /// Writes the shape at the cells of a row; `cos2` and `shapes` are as long as the row, in whole blocks.
-    fn shapes(&self, row: &CellRow, cos2: &[f32], shapes: &mut [f32]);
+    /// Writes the shape at the cells of rows, one after the other; `shapes` is as long as all of them, in whole blocks.
+    fn shapes(&self, cells: &SymmetricCells, rows: &[CellRow], shapes: &mut [f32]);
 
-    /// Writes the shape at the cells of a row, and its slopes.
-    fn slopes(&self, row: &CellRow, cos2: &[f32], shapes: &mut [f32], slopes: &mut RowSlopes);
+    /// Writes the shape at the cells of at most [`ROWS_PER_SUM`] rows, and its slopes.
+    fn slopes(
+        &self,
+        cells: &SymmetricCells,
+        rows: &[CellRow],
+        shapes: &mut [f32],
+        slopes: &mut RowSlopes,
+    );
 
     /// Variables whose slopes vary along a row.
     fn varying(&self) -> &[usize];
 }
 
-/// Slopes ∂ ln shape / ∂ variable along a row: the sum of a part that is the same in all its cells and one that varies.
+/// Slopes ∂ ln shape / ∂ variable along rows: the sum of a part that is the same in all cells of a row and one that
+/// varies.
 pub struct RowSlopes {
-    /// Slopes per variable that are the same in all cells.
-    pub constant: [f64; VARIABLES],
-    /// Slopes per cell; the k-th for the k-th variable of [`LobeKernel::varying`].
-    pub varying: [[f32; ROW_CELLS]; VARIABLES - 1],
+    /// Slopes per row and variable that are the same in all cells.
+    pub constant: [[f64; VARIABLES]; ROWS_PER_SUM],
+    /// Slopes per cell, row after row; the k-th for the k-th variable of [`LobeKernel::varying`].
+    pub varying: [[f32; CELLS_PER_SUM]; VARIABLES - 1],
 }
+
+/// Largest number of cells in as many rows as a pass takes at a time.
+pub const CELLS_PER_SUM: usize = ROWS_PER_SUM * ROW_CELLS;
 
 impl Default for RowSlopes {
     fn default() -> Self {
         Self {
-            constant: [0.0; VARIABLES],
-            varying: [[0.0; ROW_CELLS]; VARIABLES - 1],
+            constant: [[0.0; VARIABLES]; ROWS_PER_SUM],
+            varying: [[0.0; CELLS_PER_SUM]; VARIABLES - 1],
         }
     }
 }

@@ -5,8 +5,8 @@ use super::{LobeKernel, LobeShape, RowSlopes, angles_of};
 use crate::brdf::LobeValues;
 use crate::brdf::along_phi_d::{PowerBase, RowAngles};
 use crate::brdf::params::Scale;
-use crate::fit::simd::{self, Kernel, Lanes, vectors};
-use crate::fit::symmetric_cells::CellRow;
+use crate::fit::simd::{self, Kernel, LOWEST, Lanes, vectors};
+use crate::fit::symmetric_cells::{CellRow, SymmetricCells};
 use crate::fit::variables::ETA_VARIABLE;
 use pulp::Simd;
 
@@ -46,6 +46,7 @@ impl Power {
         }
     }
 
+    #[inline(always)]
     fn row(&self, row: &CellRow) -> Row {
         let base = (self.base)(&self.lobe, angles_of(row));
         Row {
@@ -60,32 +61,39 @@ impl Power {
 }
 
 impl LobeKernel for Power {
-    fn shapes(&self, row: &CellRow, cos2: &[f32], shapes: &mut [f32]) {
-        let row = self.row(row);
-        simd::dispatch(Fill::<0> {
-            row: &row,
-            cos2,
+    fn shapes(&self, cells: &SymmetricCells, rows: &[CellRow], shapes: &mut [f32]) {
+        simd::dispatch(Fill {
+            power: self,
+            cells,
+            rows,
             shapes,
             slopes: [],
         });
     }
 
-    fn slopes(&self, row: &CellRow, cos2: &[f32], shapes: &mut [f32], slopes: &mut RowSlopes) {
-        slopes.constant[ETA_VARIABLE] = self.fresnel.slope[row.theta_d];
-        let row = self.row(row);
-        let count = cos2.len();
+    fn slopes(
+        &self,
+        cells: &SymmetricCells,
+        rows: &[CellRow],
+        shapes: &mut [f32],
+        slopes: &mut RowSlopes,
+    ) {
+        for (constant, row) in slopes.constant.iter_mut().zip(rows) {
+            constant[ETA_VARIABLE] = self.fresnel.slope[row.theta_d];
+        }
         let [by_s, by_second, ..] = &mut slopes.varying;
-        let (by_s, by_second) = (&mut by_s[..count], &mut by_second[..count]);
         match self.varying.len() {
             2 => simd::dispatch(Fill {
-                row: &row,
-                cos2,
+                power: self,
+                cells,
+                rows,
                 shapes,
                 slopes: [by_s, by_second],
             }),
             _ => simd::dispatch(Fill {
-                row: &row,
-                cos2,
+                power: self,
+                cells,
+                rows,
                 shapes,
                 slopes: [by_s],
             }),
@@ -104,10 +112,21 @@ struct Row {
     fresnel: f64,
 }
 
-/// Writes shapes and the first `SLOPES` slopes of a row.
+impl Row {
+    /// Whether the lobe is 0 in all cells, as f32 has it: the base is monotonic in cos² φd, and (1 − v)^s below e^−sv.
+    #[inline(always)]
+    fn is_dark(&self) -> bool {
+        let PowerBase { x, blend, .. } = self.base;
+        let versine = |c: f64| blend[0] * (x[0] + x[1] * c).min(1.0) + blend[1];
+        self.s * versine(0.0).min(versine(1.0)) > -f64::from(LOWEST)
+    }
+}
+
+/// Writes shapes and the first `SLOPES` slopes of rows.
 struct Fill<'a, const SLOPES: usize> {
-    row: &'a Row,
-    cos2: &'a [f32],
+    power: &'a Power,
+    cells: &'a SymmetricCells,
+    rows: &'a [CellRow],
     shapes: &'a mut [f32],
     slopes: [&'a mut [f32]; SLOPES],
 }
@@ -116,35 +135,60 @@ impl<const SLOPES: usize> Kernel for Fill<'_, SLOPES> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) {
-        let splat = |x: f64| Lanes::splat(simd, x as f32);
-        let PowerBase { x, blend, slope } = self.row.base;
-        let (x, blend, slope) = (x.map(splat), blend.map(splat), slope.map(splat));
-        let (s, fresnel) = (splat(self.row.s), splat(self.row.fresnel));
-        let one = splat(1.0);
-        let below_one = Lanes::splat(simd, BELOW_ONE);
-        // As long as each other: nothing is checked in the loop.
-        let cos2 = vectors::<S>(self.cos2);
-        let shapes = S::as_mut_simd_f32s(self.shapes).0.iter_mut();
-        let slopes = self
-            .slopes
-            .map(|slopes| &mut S::as_mut_simd_f32s(slopes).0[..cos2.len()]);
-        for (k, (cos2, out)) in cos2.iter().zip(shapes).enumerate() {
-            let cos2 = Lanes::new(simd, *cos2);
-            let x = x[1].mul_add(cos2, x[0]).min(one);
-            let versine = blend[0].mul_add(x, blend[1]);
-            let ln = versine.ln_one_minus();
-            let shape = (s * ln).exp_negative() * fresnel;
-            // A base of 0 is 0 to every power; with s = 0.1 the smallest base that has a logarithm is not.
-            *out = shape.where_le(versine, below_one).vector();
-            if SLOPES > 0 {
-                slopes[0][k] = (s * ln).vector();
+        let mut shapes = S::as_mut_simd_f32s(self.shapes).0;
+        let mut slopes = self.slopes.map(|slopes| S::as_mut_simd_f32s(slopes).0);
+        for row in self.rows {
+            let cos2 = vectors::<S>(self.cells.cos2_of(row));
+            // As long as each other: nothing is checked in the loop.
+            let (shapes_here, after) = std::mem::take(&mut shapes).split_at_mut(cos2.len());
+            shapes = after;
+            let mut slopes_here = slopes.each_mut().map(|slopes| {
+                let (here, after) = std::mem::take(slopes).split_at_mut(cos2.len());
+                *slopes = after;
+                here
+            });
+            let row = self.power.row(row);
+            if row.is_dark() {
+                let zero = simd.splat_f32s(0.0);
+                shapes_here.fill(zero);
+                slopes_here.iter_mut().for_each(|slopes| slopes.fill(zero));
+            } else {
+                fill_row(simd, &row, cos2, shapes_here, slopes_here);
             }
-            if SLOPES > 1 {
-                // ∂ ln(1 − v)/∂p; at a base of 0 it has no bound.
-                let base = (one - versine).max(splat(1e-3));
-                let by_second = slope[0].mul_add(x, slope[2].mul_add(cos2, slope[1]));
-                slopes[1][k] = (splat(0.0) - s * by_second / base).vector();
-            }
+        }
+    }
+}
+
+#[inline(always)]
+fn fill_row<S: Simd, const SLOPES: usize>(
+    simd: S,
+    row: &Row,
+    cos2: &[S::f32s],
+    shapes: &mut [S::f32s],
+    slopes: [&mut [S::f32s]; SLOPES],
+) {
+    let splat = |x: f64| Lanes::splat(simd, x as f32);
+    let PowerBase { x, blend, slope } = row.base;
+    let (x, blend, slope) = (x.map(splat), blend.map(splat), slope.map(splat));
+    let (s, fresnel) = (splat(row.s), splat(row.fresnel));
+    let (zero, one) = (splat(0.0), splat(1.0));
+    let below_one = Lanes::splat(simd, BELOW_ONE);
+    for (k, (cos2, out)) in cos2.iter().zip(shapes).enumerate() {
+        let cos2 = Lanes::new(simd, *cos2);
+        let x = x[1].mul_add(cos2, x[0]).min(one);
+        let versine = blend[0].mul_add(x, blend[1]);
+        let ln = versine.ln_one_minus();
+        let shape = (s * ln).exp_negative() * fresnel;
+        // A base of 0 is 0 to every power; with s = 0.1 the smallest base that has a logarithm is not.
+        *out = shape.where_le(versine, below_one).vector();
+        if SLOPES > 0 {
+            slopes[0][k] = (s * ln).vector();
+        }
+        if SLOPES > 1 {
+            // ∂ ln(1 − v)/∂p; at a base of 0 it has no bound.
+            let base = (one - versine).max(splat(1e-3));
+            let by_second = slope[0].mul_add(x, slope[2].mul_add(cos2, slope[1]));
+            slopes[1][k] = (zero - s * by_second / base).vector();
         }
     }
 }
