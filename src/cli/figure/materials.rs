@@ -19,7 +19,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// What a preset needs of each material.
+/// Needs of a preset of each material.
 pub(super) struct Needs<'a> {
     /// Models over the data.
     pub variants: &'a [Variant],
@@ -82,7 +82,7 @@ pub(super) fn of_files(
     let mut materials = Vec::new();
     for (index, found) in found.into_iter().enumerate() {
         bar.file(index, &found.place());
-        materials.push(material(found, needs, opened, &mut bar)?);
+        materials.push(material(&found, needs, opened, &mut bar)?);
     }
     bar.finish();
     Ok(materials)
@@ -160,7 +160,7 @@ fn comparable_errors(fit: &FitRecord) -> Option<Errors> {
 }
 
 fn material(
-    found: Found,
+    found: &Found,
     needs: &Needs,
     opened: &mut OpenedTables,
     bar: &mut Bar,
@@ -180,7 +180,7 @@ fn material(
     let mut source = None;
     let mut fitted = Vec::new();
     if !needs.errors || !missing.is_empty() {
-        let (table, place) = open(&found, opened)?;
+        let (table, place) = open(found, opened)?;
         if !missing.is_empty() {
             fitted = fit_missing(&table, &missing, bar)
                 .map_err(|error| FileError::new(&found.place(), error.to_string()))?;

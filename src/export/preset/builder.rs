@@ -195,7 +195,7 @@ impl Builder<'_> {
             RankedMaterial {
                 name: material.name.clone(),
                 fits: fits
-                    .map(|(brdf, errors)| RankedFit::new(brdf, errors))
+                    .map(|(brdf, errors)| RankedFit::new(brdf, errors.total, errors.grazing))
                     .collect(),
             }
         });

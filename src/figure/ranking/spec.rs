@@ -2,7 +2,6 @@
 
 use crate::brdf::json::model_key;
 use crate::brdf::{Brdf, Fresnel, Model};
-use crate::fit::Errors;
 use crate::keys;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -75,13 +74,13 @@ pub struct RankedFit {
 }
 
 impl RankedFit {
-    /// The errors of a fitted model.
-    pub fn new(brdf: &Brdf, errors: &Errors) -> Self {
+    /// E of a fitted model over all cells, and over those towards grazing.
+    pub fn new(brdf: &Brdf, error: f64, grazing: Option<f64>) -> Self {
         Self {
             model: brdf.model,
             fresnel: brdf.fresnel,
-            error: errors.total,
-            grazing: errors.grazing,
+            error,
+            grazing,
         }
     }
 

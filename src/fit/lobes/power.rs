@@ -153,7 +153,7 @@ impl<const SLOPES: usize> Kernel for Fill<'_, SLOPES> {
                 shapes_here.fill(zero);
                 slopes_here.iter_mut().for_each(|slopes| slopes.fill(zero));
             } else {
-                fill_row(simd, &row, cos2, shapes_here, slopes_here);
+                fill_row(simd, &row, cos2, shapes_here, &mut slopes_here);
             }
         }
     }
@@ -165,7 +165,7 @@ fn fill_row<S: Simd, const SLOPES: usize>(
     row: &Row,
     cos2: &[S::f32s],
     shapes: &mut [S::f32s],
-    slopes: [&mut [S::f32s]; SLOPES],
+    slopes: &mut [&mut [S::f32s]; SLOPES],
 ) {
     let splat = |x: f64| Lanes::splat(simd, x as f32);
     let PowerBase { x, blend, slope } = row.base;

@@ -33,7 +33,7 @@ pub fn rows(state: &State, view: &RankingSettings) -> RankingRows {
         let all = material.fits.len();
         let fits = material.fits.iter().filter(|fit| comparable(fit));
         let fits: Vec<RankedFit> = fits
-            .map(|fit| RankedFit::new(&fit.brdf, &fit.errors))
+            .map(|fit| RankedFit::new(&fit.brdf, fit.errors.total, fit.errors.grazing))
             .collect();
         rows.left_out += all - fits.len();
         if !fits.is_empty() {
