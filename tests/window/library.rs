@@ -18,11 +18,13 @@ use grazing::app::state::material::Presence;
 use grazing::app::state::prefs::MIB;
 use grazing::app::state::views::ViewId;
 use grazing::app::state::{State, memory};
+use grazing::app::views::ranking::settings::RankingSettings;
 use grazing::app::views::scatter::settings::ScatterSettings;
-use grazing::brdf::{Brdf, Fresnel, Model};
+use grazing::brdf::{Brdf, Fresnel, MODELS, Model};
 use grazing::figure::ViewSpec;
 use grazing::figure::faults::Faults;
 use grazing::figure::palette::Role as ColorRole;
+use grazing::figure::ranking::{RankedFit, RankedMaterial, RankingPlot, RankingSpec};
 use grazing::figure::scatter::{Quantity, ScatterDot, ScatterPlot};
 use grazing::files::fits::FitRecord;
 use grazing::fit::{Stage, StageSet};
@@ -588,4 +590,63 @@ fn materials_are_shown_by_the_model_and_the_axes_that_are_chosen() {
     let mut errors = on_paper.errors.clone();
     errors.sort_by(f64::total_cmp);
     assert_eq!(errors, [0.05, 0.3]);
+}
+
+#[test]
+#[cfg_attr(skip_gpu, ignore = "SKIP_GPU=1")]
+fn models_are_ranked_over_the_folder_and_a_dot_shows_its_material() {
+    let folder = folder(&["a.binary", "b.binary"]);
+    let path = |name: &str| folder.path(name);
+    let fit = |name: &str, model: usize, error: f64| {
+        let brdf = Brdf::new(MODELS[model], Fresnel::Exact);
+        record(name, Some(only_named(path(name))), brdf, error)
+    };
+    let fits = [
+        fit("a.binary", 0, 0.4),
+        fit("a.binary", 1, 0.2),
+        fit("b.binary", 0, 0.05),
+        fit("b.binary", 1, 0.1),
+    ];
+    write_fits(&path("fits.json"), &fits);
+    let mut window = window(&folder);
+    assert_eq!(name(&window), "a");
+    run(&mut window, Command::ToggleTile(ViewId::Ranking));
+    run(&mut window, Command::ToggleTile(ViewId::Ranking));
+    let rect = window.get_by_role_and_label(Role::Image, "Ranking").rect();
+    let ranked = |name: &str, errors: [f64; 2]| RankedMaterial {
+        name: name.into(),
+        fits: errors
+            .iter()
+            .zip(MODELS)
+            .map(|(error, model)| RankedFit::new(&Brdf::new(model, Fresnel::Exact), *error, None))
+            .collect(),
+    };
+    let plot = |window: &Window| {
+        let spec = RankingSpec {
+            materials: vec![ranked("a", [0.4, 0.2]), ranked("b", [0.05, 0.1])],
+            ..settings::<RankingSettings>(window).clone()
+        };
+        RankingPlot::new(&spec, [rect.width(), rect.height()])
+    };
+    let ranking = plot(&window).ranking;
+    assert_eq!(
+        (ranking.wins(0), ranking.wins(1), ranking.compared()),
+        (1, 1, 2)
+    );
+    // By their least E b comes first; by the second model's as well, and with it hidden there is one curve.
+    assert_eq!(ranking.rows[0].material, 1);
+    click(&mut window, "Models");
+    window
+        .get_by_role_and_label(Role::CheckBox, MODELS[1].name)
+        .click();
+    window.run_steps(2);
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    let shown = plot(&window);
+    assert_eq!(shown.ranking.models.len(), 1);
+    let (at, row, _) = shown.dots[0];
+    assert_eq!(shown.ranking.rows[row].material, 1);
+    let at = rect.min + egui::Vec2::from(at);
+    drag(&mut window, &[at, at]);
+    settle(&mut window, is_quiet);
+    assert_eq!(name(&window), "b");
 }
