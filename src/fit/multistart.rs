@@ -14,7 +14,7 @@ use std::f64::consts::LN_10;
 const STARTS: usize = 5;
 
 /// Evaluated points of the grid of starts, shared by all fits of one problem under the same options: points of a model
-/// are points as well of one that contains it.
+/// are points as well of one that contains it, and the other way round where that one equals the model.
 #[derive(Debug, Default)]
 pub struct StartGrid(Vec<Chain>);
 
@@ -78,7 +78,7 @@ pub fn best_starts(
 }
 
 impl StartGrid {
-    /// Chain with these points, of the same variant or of one that it contains.
+    /// Chain with these points, of the same variant, of one that it contains, or of one that contains it.
     fn known(&self, space: &SearchSpace, points: &[SearchPoint]) -> Option<Chain> {
         self.0
             .iter()
@@ -92,7 +92,7 @@ impl StartGrid {
                     .iter()
                     .zip(points)
                     .map(|(candidate, point)| {
-                        let known = embedded(chain.variant, space.variant, &candidate.point)?;
+                        let known = translated(chain.variant, space.variant, &candidate.point)?;
                         // Through logarithms a point may differ in its last digits.
                         let same = (0..VARIABLES).all(|k| (known[k] - point[k]).abs() < 1e-9);
                         same.then_some(Candidate {
@@ -110,15 +110,36 @@ impl StartGrid {
     }
 }
 
-/// Point of `outer` that equals a point of `inner`; `None` where it does not contain it.
-fn embedded(inner: Variant, outer: Variant, point: &SearchPoint) -> Option<SearchPoint> {
-    if inner == outer {
+/// Point of a variant that equals a point of another; `None` where there is none.
+fn translated(from: Variant, to: Variant, point: &SearchPoint) -> Option<SearchPoint> {
+    if from == to {
         return Some(*point);
     }
-    let contained = outer.model.containing(inner.model)?;
-    if inner.fresnel != outer.fresnel {
+    if from.fresnel != to.fresnel {
         return None;
     }
+    embedded(from, to, point).or_else(|| extracted(from, to, point))
+}
+
+/// Point of `inner` that equals a point of `outer`, which contains it; `None` where that equals none.
+fn extracted(outer: Variant, inner: Variant, point: &SearchPoint) -> Option<SearchPoint> {
+    let contained = outer.model.containing(inner.model)?;
+    let mut to = [0.0; VARIABLES];
+    to[ETA_VARIABLE] = point[ETA_VARIABLE];
+    for (k, (row, factor)) in inner.model.params.iter().zip(contained.factors).enumerate() {
+        to[k] = match row.scale {
+            Scale::Log { .. } => point[k] - factor.ln(),
+            Scale::Linear => point[k] / factor,
+        };
+    }
+    let again = embedded(inner, outer, &to)?;
+    let same = (0..VARIABLES).all(|k| (again[k] - point[k]).abs() < 1e-9);
+    same.then_some(to)
+}
+
+/// Point of `outer` that equals a point of `inner`; `None` where it does not contain it.
+fn embedded(inner: Variant, outer: Variant, point: &SearchPoint) -> Option<SearchPoint> {
+    let contained = outer.model.containing(inner.model)?;
     let mut to = [0.0; VARIABLES];
     to[ETA_VARIABLE] = point[ETA_VARIABLE];
     let (scaled, apart) = outer.model.params.split_at(contained.factors.len());
@@ -229,4 +250,41 @@ pub fn nearly_equal(variant: Variant, a: SearchPoint, b: SearchPoint) -> bool {
         };
         (a[k] - b[k]).abs() < close
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::brdf::{Fresnel, MODELS};
+
+    #[test]
+    fn points_of_a_model_are_those_of_one_that_contains_it_and_back() {
+        let mut pairs = 0;
+        for outer in MODELS {
+            for contained in outer.contains {
+                let of = |model| Variant {
+                    model,
+                    fresnel: Fresnel::Exact,
+                };
+                let (inner, outer) = (of(contained.model), of(*outer));
+                let mut point = [0.0; VARIABLES];
+                point[ETA_VARIABLE] = -0.5;
+                point[..contained.factors.len()].fill(1.25);
+                let there = translated(inner, outer, &point).expect("a point");
+                let back = translated(outer, inner, &there).expect("the same");
+                assert!((0..VARIABLES).all(|k| (back[k] - point[k]).abs() < 1e-12));
+                // Off the values at which they are equal there is none.
+                let mut off = there;
+                off[contained.factors.len()] += 0.1;
+                assert_eq!(translated(outer, inner, &off), None);
+                let other = Variant {
+                    fresnel: Fresnel::None,
+                    ..inner
+                };
+                assert_eq!(translated(other, outer, &point), None);
+                pairs += 1;
+            }
+        }
+        assert!(pairs >= 3);
+    }
 }
