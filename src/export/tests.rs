@@ -115,7 +115,7 @@ fn spheres_of_many_models_wrap_in_even_rows_of_one_size() {
         (12, vec![5, 5, 3]),
     ] {
         let options = PresetOptions {
-            models: MODELS[..models].to_vec(),
+            models: MODELS.iter().copied().cycle().take(models).collect(),
             ..options()
         };
         let spec = preset.figure(&materials_as(preset, &["a", "b"], &options), &options);

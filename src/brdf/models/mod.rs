@@ -8,7 +8,6 @@ mod cook_torrance;
 mod exponent;
 mod ggx;
 mod lafortune;
-mod low_microfacet;
 mod low_smooth;
 mod microfacet;
 mod phong;
@@ -36,7 +35,6 @@ pub static MODELS: &[&Model] = &[
     &ward::MODEL,
     &ward_duer::MODEL,
     &low_smooth::MODEL,
-    &low_microfacet::MODEL,
 ];
 
 /// The models of the poster [Nielsen14].
