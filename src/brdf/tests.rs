@@ -59,6 +59,7 @@ fn closed_form(key: &str, wi: DVec3, wo: DVec3, p: [f64; 2]) -> f64 {
             let sum = wi + wo;
             (1.0 + first * (sum.x * sum.x + sum.y * sum.y)).powf(-p[1])
         }
+        "low-microfacet" => (1.0 + first * (1.0 - h)).powf(-p[1]) * groove / (i * o),
         key => panic!("{key} has no closed form here"),
     }
 }

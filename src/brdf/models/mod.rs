@@ -8,6 +8,7 @@ mod cook_torrance;
 mod exponent;
 mod ggx;
 mod lafortune;
+mod low_microfacet;
 mod low_smooth;
 mod microfacet;
 mod phong;
@@ -35,6 +36,7 @@ pub static MODELS: &[&Model] = &[
     &ward::MODEL,
     &ward_duer::MODEL,
     &low_smooth::MODEL,
+    &low_microfacet::MODEL,
 ];
 
 /// The models of the poster [Nielsen14].
