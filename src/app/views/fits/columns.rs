@@ -1,7 +1,7 @@
 //! The columns of the table of fits: words, widths and values.
 
 use crate::app::state::fitting::table::Column;
-use crate::app::views::fits::rows::FitRow;
+use crate::app::views::fits::rows::{FitRow, value};
 use crate::app::widgets::formula::{hundredths, number};
 use crate::brdf::{MODELS, ParamId, all_params};
 
@@ -91,20 +91,6 @@ fn first_upper(text: &str) -> String {
     letters.next().map_or(String::new(), |first| {
         first.to_uppercase().collect::<String>() + letters.as_str()
     })
-}
-
-/// Number of a row in a column; `None` where it has none.
-pub fn value(row: &FitRow, column: Column) -> Option<f64> {
-    let outcome = row.kept.map(|kept| &kept.outcome);
-    match column {
-        Column::Name => None,
-        Column::Error => row.error,
-        Column::Grazing => row.grazing,
-        Column::Channel(channel) => outcome?.errors.channels.get(channel).copied(),
-        Column::Param(id) => row.brdf.filter(|brdf| brdf.uses(id))?.number(id),
-        Column::Evaluations => outcome.map(|outcome| outcome.evaluations as f64),
-        Column::Time => row.seconds,
-    }
 }
 
 /// Number of a row in a column, as markup; `None` where it has none.

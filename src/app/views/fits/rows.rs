@@ -4,7 +4,6 @@ use crate::app::state::State;
 use crate::app::state::fitting::kept::KeptFit;
 use crate::app::state::fitting::run::{FitRun, Part};
 use crate::app::state::fitting::table::{Column, FitTable};
-use crate::app::views::fits::columns::value;
 use crate::brdf::Brdf;
 use crate::fit::Variant;
 
@@ -89,6 +88,20 @@ pub fn rows(state: &State) -> Vec<FitRow<'_>> {
     rows.sort_by_key(by_name);
     sort(&mut rows, &state.fit.table);
     rows
+}
+
+/// Number of a row in a column; `None` where it has none.
+pub fn value(row: &FitRow, column: Column) -> Option<f64> {
+    let outcome = row.kept.map(|kept| &kept.outcome);
+    match column {
+        Column::Name => None,
+        Column::Error => row.error,
+        Column::Grazing => row.grazing,
+        Column::Channel(channel) => outcome?.errors.channels.get(channel).copied(),
+        Column::Param(id) => row.brdf.filter(|brdf| brdf.uses(id))?.number(id),
+        Column::Evaluations => outcome.map(|outcome| outcome.evaluations as f64),
+        Column::Time => row.seconds,
+    }
 }
 
 /// Orders rows that are in the order of their names. Those without a value come last in either direction.
