@@ -228,7 +228,7 @@ pub static PRESETS: [Preset; 12] = [
         models: PresetModels::Family,
         by_material: false,
         shows_errors: true,
-        width_mm: COLUMNS[0].1,
+        width_mm: COLUMNS[1].1,
         same_axes: SameAxes::Figure,
         rows: |b| b.ranking(),
     },

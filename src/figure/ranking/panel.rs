@@ -36,7 +36,7 @@ impl PanelView for RankingSpec {
     }
 
     fn height(&self, width: f32, font: f32) -> f32 {
-        0.6 * width + 6.0 * font
+        0.4 * width + 8.0 * font
     }
 
     fn draw(&self, input: &PanelInput) -> PanelDrawing {

@@ -14,6 +14,8 @@ use crate::geom::limits::GRAZING_THETA_DEG;
 
 /// Radius of a dot in points, of the model that sorts and of the others.
 const RADII: (f32, f32) = (4.0, 3.0);
+/// Width of the other models' curves beside that of the one that sorts.
+const THINNER: f32 = 0.7;
 /// Largest distance in points at which the pointer still means a dot.
 const NEAR: f32 = 14.0;
 /// Room beyond the errors, and the least ratio of the ends of their axis.
@@ -143,9 +145,11 @@ fn draw(
     let value = |row: usize, model: usize| ranking.rows[row].error(model).map(|e| 100.0 * e);
     let rows = ranking.rows.len();
     for k in order.iter().rev() {
+        let pen = Pen::of(&subjects[*k], true);
         let strong = spec.sort.is_none() || sorts(ranking.models[*k]);
+        let width = pen.width * if strong { 1.0 } else { THINNER };
         let samples = (0..rows).map(|row| ((row + 1) as f64, value(row, *k)));
-        plot.curve(0, samples, Pen::of(&subjects[*k], strong));
+        plot.curve(0, samples, Pen { width, ..pen });
     }
     let mut spots = Vec::new();
     let mut of = Vec::new();
