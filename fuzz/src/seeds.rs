@@ -13,7 +13,7 @@ use grazing::export::preset::{PRESETS, PresetMaterial, PresetOptions};
 use grazing::figure::page::Style;
 use grazing::files::fits::{self, FitRecord, SourceFile};
 use grazing::fit::options::NO_LIMIT;
-use grazing::fit::{FitOptions, Problem, Stage, StageSet, Variant, Weight, fit_all};
+use grazing::fit::{Errors, FitOptions, Problem, Stage, StageSet, Variant, Weight, fit_all};
 use grazing::geom::sphere::SphereView;
 use grazing::measured::{SAMPLES, merl};
 use std::ops::ControlFlow;
@@ -141,22 +141,25 @@ fn session() -> String {
 
 fn figures() -> Vec<String> {
     let options = PresetOptions {
-        model: MODELS[2],
+        models: Vec::new(),
         fresnel: Fresnel::Exact,
         theta_i: vec![0.5, 1.0],
         scale: None,
         view: SphereView::default(),
         style: Style::default(),
     };
+    let errors = Errors {
+        total: 0.25,
+        grazing: Some(0.5),
+        channels: [0.25; 3],
+    };
     let figure = |preset: &grazing::export::preset::Preset| {
         let models = preset.variants(&options);
         let material = PresetMaterial {
             name: "sample".into(),
-            source: SubjectSource::sample(SAMPLES[0].key),
-            models: models
-                .iter()
-                .map(|variant| variant.defaults())
-                .collect(),
+            source: Some(SubjectSource::sample(SAMPLES[0].key)),
+            models: models.iter().map(|variant| variant.defaults()).collect(),
+            errors: models.iter().map(|_| errors).collect(),
         };
         preset.figure(&[material], &options).to_json()
     };
