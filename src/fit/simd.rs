@@ -46,6 +46,14 @@ pub fn vectors<S: Simd>(slice: &[f32]) -> &[S::f32s] {
     S::as_simd_f32s(slice).0
 }
 
+/// Takes the first elements off a slice.
+#[inline(always)]
+pub fn take_first<'a, T>(slice: &mut &'a mut [T], count: usize) -> &'a mut [T] {
+    let (first, rest) = std::mem::take(slice).split_at_mut(count);
+    *slice = rest;
+    first
+}
+
 impl<S: Simd> Lanes<S> {
     /// Lanes of a vector in memory.
     #[inline(always)]

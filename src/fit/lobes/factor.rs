@@ -6,7 +6,7 @@ use super::fresnel_rows::FresnelRows;
 use super::{LobeKernel, LobeShape, RowSlopes, angles_of, cosines_at};
 use crate::brdf::along_phi_d::{Azimuth, RowAngles, Smith};
 use crate::brdf::{LobeValues, Model};
-use crate::fit::simd::{self, Kernel, Lanes, vectors};
+use crate::fit::simd::{self, Kernel, Lanes, take_first, vectors};
 use crate::fit::symmetric_cells::{CellRow, SymmetricCells};
 use crate::fit::variables::{ETA_VARIABLE, VARIABLES};
 use pulp::Simd;
@@ -341,13 +341,10 @@ impl<F: Factor, const SLOPES: usize> Kernel for Fill<'_, F, SLOPES> {
             }
             let cos2 = vectors::<S>(self.cells.cos2_of(row));
             // As long as each other: nothing is checked in the loop.
-            let (shapes_here, after) = std::mem::take(&mut shapes).split_at_mut(cos2.len());
-            shapes = after;
-            let mut slopes_here = slopes.each_mut().map(|slopes| {
-                let (here, after) = std::mem::take(slopes).split_at_mut(cos2.len());
-                *slopes = after;
-                here
-            });
+            let shapes_here = take_first(&mut shapes, cos2.len());
+            let mut slopes_here = slopes
+                .each_mut()
+                .map(|slopes| take_first(slopes, cos2.len()));
             if of_row[0] <= 0.0 {
                 let zero = simd.splat_f32s(0.0);
                 shapes_here.fill(zero);

@@ -5,7 +5,7 @@ use super::{LobeKernel, LobeShape, RowSlopes, angles_of};
 use crate::brdf::LobeValues;
 use crate::brdf::along_phi_d::{PowerBase, RowAngles};
 use crate::brdf::params::Scale;
-use crate::fit::simd::{self, Kernel, LOWEST, Lanes, vectors};
+use crate::fit::simd::{self, Kernel, LOWEST, Lanes, take_first, vectors};
 use crate::fit::symmetric_cells::{CellRow, SymmetricCells};
 use crate::fit::variables::ETA_VARIABLE;
 use pulp::Simd;
@@ -140,13 +140,10 @@ impl<const SLOPES: usize> Kernel for Fill<'_, SLOPES> {
         for row in self.rows {
             let cos2 = vectors::<S>(self.cells.cos2_of(row));
             // As long as each other: nothing is checked in the loop.
-            let (shapes_here, after) = std::mem::take(&mut shapes).split_at_mut(cos2.len());
-            shapes = after;
-            let mut slopes_here = slopes.each_mut().map(|slopes| {
-                let (here, after) = std::mem::take(slopes).split_at_mut(cos2.len());
-                *slopes = after;
-                here
-            });
+            let shapes_here = take_first(&mut shapes, cos2.len());
+            let mut slopes_here = slopes
+                .each_mut()
+                .map(|slopes| take_first(slopes, cos2.len()));
             let row = self.power.row(row);
             if row.is_dark() {
                 let zero = simd.splat_f32s(0.0);
