@@ -71,7 +71,7 @@ impl State {
             OnPaper::Never => false,
             OnPaper::Always => true,
             OnPaper::WithData => material.table.valid_count() > 0,
-            OnPaper::WithFits => !self.fitted_materials().is_empty(),
+            OnPaper::WithFits => self.fitted_models().next().is_some(),
             OnPaper::WithMaterials => {
                 self.has_fits_of(self.scene.views.get::<ScatterSettings>().model)
             }
@@ -80,16 +80,16 @@ impl State {
 
     /// Whether some material, open or in the folder, has a fit of a model.
     pub fn has_fits_of(&self, model: &Model) -> bool {
-        let open = self
-            .scene
-            .opened
-            .iter()
-            .filter_map(|opened| self.materials.get(&opened.id));
-        let mut kept = open.flat_map(|material| &material.fits);
-        kept.any(|fit| fit.outcome.brdf.model == model)
-            || self
-                .library
-                .folder_fits()
-                .any(|fit| fit.brdf.model == model)
+        self.fitted_models().any(|fitted| fitted == model)
+    }
+
+    /// Models of all fits, of open materials and of the folder's files.
+    fn fitted_models(&self) -> impl Iterator<Item = &'static Model> {
+        let opened = self.scene.opened.iter();
+        let open = opened.filter_map(|opened| self.materials.get(&opened.id));
+        let kept = open.flat_map(|material| &material.fits);
+        let in_folder = self.library.folder_fits();
+        kept.map(|fit| fit.outcome.brdf.model)
+            .chain(in_folder.map(|fit| fit.brdf.model))
     }
 }
