@@ -3,16 +3,15 @@
 use crate::app::command::{Command, ENTRIES, Entry};
 use crate::app::msg::Msg;
 use crate::app::state::State;
-use egui::containers::menu::{MenuButton, MenuConfig};
-use egui::{PopupCloseBehavior, WidgetInfo};
+use crate::app::widgets::controls::tick_menu_ui;
+use egui::WidgetInfo;
 
 /// Models in a row of the menu.
 const COLUMNS: usize = 2;
 
 /// Draws a button with the choice behind it, beside the button that compares. `place` tells two of them apart.
 pub fn choice_ui(ui: &mut egui::Ui, state: &State, place: &str, out: &mut Vec<Msg>) {
-    let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-    let (button, _) = MenuButton::new("…").config(config).ui(ui, |ui| {
+    let button = tick_menu_ui(ui, "…", |ui| {
         ui.push_id(place, |ui| menu_ui(ui, state, out));
     });
     button.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, "Models to compare"));

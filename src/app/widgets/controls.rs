@@ -10,6 +10,8 @@ use crate::figure::cosine::CosineFactor;
 use crate::figure::subject::{CHANNELS, Channel};
 use crate::figure::text::RichText;
 use crate::geom::Rgb;
+use egui::PopupCloseBehavior;
+use egui::containers::menu::{MenuButton, MenuConfig};
 use std::ops::RangeInclusive;
 
 /// The choice of a channel; the new one where it changed.
@@ -59,6 +61,16 @@ pub fn sized_choice_ui<T: Copy + PartialEq>(
     ui.ctx()
         .accesskit_node_builder(menu.response.id, |node| node.set_label(name));
     (chosen != value).then_some(chosen)
+}
+
+/// A button with a menu that stays open from tick to tick.
+pub fn tick_menu_ui(
+    ui: &mut egui::Ui,
+    text: &str,
+    content: impl FnOnce(&mut egui::Ui),
+) -> egui::Response {
+    let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    MenuButton::new(text).config(config).ui(ui, content).0
 }
 
 /// A check box with a marked-up label, named for screen readers and tests.

@@ -19,8 +19,7 @@ use crate::figure::drawing::Drawing;
 use crate::figure::palette::{Palette, Role};
 use crate::figure::text::RichText;
 use columns::Columns;
-use egui::containers::menu::{MenuButton, MenuConfig};
-use egui::{Align, Color32, Layout, PopupCloseBehavior, Rect, Sense, UiBuilder, Vec2, pos2, vec2};
+use egui::{Align, Color32, Layout, Rect, Sense, UiBuilder, Vec2, pos2, vec2};
 use head::{ROW, header_ui};
 use rows::{FitRow, RowRemark};
 
@@ -101,9 +100,7 @@ fn toolbar_ui(ui: &mut egui::Ui, state: &State, rows: &[FitRow], name: &str, out
 
 /// The choice of columns.
 fn columns_ui(ui: &mut egui::Ui, state: &State, rows: &[FitRow], out: &mut Vec<Msg>) {
-    let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-    let menu = MenuButton::new("Columns").config(config);
-    let (button, _) = menu.ui(ui, |ui| {
+    let button = controls::tick_menu_ui(ui, "Columns", |ui| {
         let of_use = |column: &Column| *column != Column::Name && columns::is_of_use(*column, rows);
         for column in Column::all().filter(of_use) {
             let words = columns::words(column);

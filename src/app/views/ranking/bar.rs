@@ -3,14 +3,12 @@
 use crate::app::msg::Msg;
 use crate::app::views::ranking::rows::RankingRows;
 use crate::app::views::ranking::settings::{RankingSettings, with_model};
-use crate::app::widgets::controls::{choice_ui, sized_choice_ui};
+use crate::app::widgets::controls::{choice_ui, sized_choice_ui, tick_menu_ui};
 use crate::app::widgets::toolbar;
 use crate::brdf::fresnel::FRESNELS;
 use crate::brdf::{Fresnel, MODELS, Model};
 use crate::figure::ranking::RankingPart;
 use crate::geom::limits::GRAZING_THETA_DEG;
-use egui::PopupCloseBehavior;
-use egui::containers::menu::{MenuButton, MenuConfig};
 
 /// Width in points of the lists.
 const ORDER: f32 = 130.0;
@@ -82,8 +80,7 @@ pub fn toolbar_ui(
 
 /// The choice of models.
 fn models_ui(ui: &mut egui::Ui, fitted: &[&'static Model], view: &mut RankingSettings) {
-    let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-    let (button, _) = MenuButton::new("Models").config(config).ui(ui, |ui| {
+    let button = tick_menu_ui(ui, "Models", |ui| {
         for model in fitted {
             let mut on = view.hidden.iter().all(|hidden| hidden.0 != *model);
             if ui.checkbox(&mut on, model.name).changed() {
